@@ -1,0 +1,84 @@
+#include "app/report.hpp"
+
+#include <sys/resource.h>
+
+#include <iomanip>
+
+#include "core/camera.hpp"
+
+namespace lavaray {
+namespace {
+
+double milliseconds(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+std::size_t meshTriangles(const Scene& scene) {
+  std::size_t count = 0;
+  for (const MeshObject& object : scene.meshObjects) count += scene.meshes[object.mesh].triangles.size();
+  return count;
+}
+
+double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1U << 20U); }
+
+long peakMemoryKilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+}  // namespace
+
+void StepTimes::endStep(const std::string& name) {
+  const Clock::time_point now = Clock::now();
+  steps_.emplace_back(name, now - last_);
+  last_ = now;
+}
+
+void StepTimes::print(std::ostream& out) const {
+  out << std::fixed << std::setprecision(1) << "time (ms)\n";
+  for (const auto& [name, duration] : steps_) {
+    out << "  " << std::left << std::setw(18) << name << std::right << std::setw(9) << milliseconds(duration)
+        << '\n';
+  }
+  out << "  " << std::left << std::setw(18) << "all" << std::right << std::setw(9) << milliseconds(last_ - begin_)
+      << '\n';
+}
+
+void printScene(std::ostream& out, const Scene& scene) {
+  const ImageSize size = imageSize(scene.camera).value();
+  out << "scene " << scene.file.string() << "\n  image           " << size.width << " x " << size.height
+      << "\n  planes          " << scene.planes.size() << "\n  spheres         " << scene.spheres.size()
+      << "\n  triangles       " << scene.triangles.size() << "\n  meshes          " << scene.meshObjects.size()
+      << " with " << meshTriangles(scene) << " triangles"
+      << "\n  lights          " << scene.lights.size() << '\n';
+  for (const Mesh& mesh : scene.meshes) {
+    out << "  mesh file       " << mesh.file.string() << ": " << mesh.triangles.size() << " triangles, "
+        << mesh.positions.size() << " vertices, " << mesh.normals.size() << " normals, "
+        << mesh.degenerateTriangles << " degenerate triangles dropped\n";
+  }
+}
+
+void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices) {
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    out << i << ": " << devices[i].name << " (" << devices[i].kind << ", " << devices[i].driver << ')'
+        << (devices[i].usable ? "" : ", not usable: no Vulkan 1.2 compute") << '\n';
+  }
+}
+
+void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuScene,
+                     const vulkan::Device& device, const Renderer& renderer, const RenderResult& result) {
+  printScene(out, scene);
+  const BvhQuality& bvh = gpuScene.bvhQuality;
+  out << std::fixed << std::setprecision(2) << "bvh\n  primitives      " << gpuScene.primitives.size() << " ("
+      << gpuScene.droppedDuplicates << " duplicates dropped)\n  inner nodes     " << bvh.innerNodes
+      << "\n  leaves          " << bvh.leaves << " of " << bvh.leafSize << " primitives in the mean\n  depth           "
+      << bvh.depth << " of at most " << gpu::kMaxBvhDepth << "\n  SAH cost        " << bvh.sahCost
+      << "\nrays\n  camera          " << result.cameraRays << "\n  shadow          " << result.shadowRays
+      << "\ndevice\n  name            " << device.description().name << "\n  driver          "
+      << device.description().driver << "\n  buffers         " << mebibytes(renderer.deviceBytes())
+      << " MiB\n  dispatches      " << result.dispatches << "\nmemory\n  process, peak   "
+      << static_cast<double>(peakMemoryKilobytes()) / 1024.0 << " MiB\n";
+}
+
+}  // namespace lavaray

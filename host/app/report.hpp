@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/flatten.hpp"
+#include "core/scene.hpp"
+#include "render/renderer.hpp"
+#include "vulkan/device.hpp"
+
+namespace lavaray {
+
+// Wall-clock time of the steps of a run, in their order.
+class StepTimes {
+ public:
+  // Ends the step that began with the last call, or with the construction.
+  void endStep(const std::string& name);
+  void print(std::ostream& out) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_ = begin_;
+  std::vector<std::pair<std::string, Clock::duration>> steps_;
+};
+
+// What is in the scene: --check.
+void printScene(std::ostream& out, const Scene& scene);
+
+void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices);
+
+// Everything of --stats but the times.
+void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuScene,
+                     const vulkan::Device& device, const Renderer& renderer, const RenderResult& result);
+
+}  // namespace lavaray

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/errors.hpp"
+#include "core/scene.hpp"
+
+namespace lavaray {
+
+// The file is not there or cannot be read. The scene reader reports it at the line that names the file.
+class UnreadableFile : public Error {
+  using Error::Error;
+};
+
+// Reads a Wavefront OBJ: positions, normals and faces, polygons triangulated by ear clipping, degenerate
+// triangles dropped and counted. Everything else in the file (texture coordinates, groups, materials) is
+// checked where it could hide a broken file and otherwise ignored.
+// Throws UnreadableFile, or Error(kInput) reading `file:line: what is wrong, what is allowed`.
+Mesh readObj(const std::filesystem::path& file);
+
+}  // namespace lavaray

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace lavaray {
+
+inline unsigned hardwareThreads() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+// Calls work(i) for each i in [0, count) on up to `threads` threads, the caller's among them, and returns when
+// all are done. `work` must not throw, and its calls must not depend on one another.
+template <typename Work>
+void parallelFor(std::size_t count, unsigned threads, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  const auto loop = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> helpers;
+  for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) helpers.emplace_back(loop);
+  loop();
+}
+
+}  // namespace lavaray

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/box.hpp"
+#include "core/scene.hpp"
+#include "interface.h"
+
+namespace lavaray {
+
+// What the BVH holds: all spheres and triangles of a scene, relative to the camera, in the order of the file.
+struct Primitives {
+  std::vector<gpu::Primitive> shapes;
+  std::vector<gpu::TrianglePlane> planes;        // one a shape where there is a triangle, else empty
+  std::vector<gpu::CornerNormal> cornerNormals;  // three for each triangle that has them
+};
+
+// Throws Error(kInput) where there are more than gpu::kMaxReference.
+Primitives collectPrimitives(const Scene& scene);
+
+// The smallest box of float32 coordinates that holds the shape.
+Box boundingBox(const gpu::Primitive& shape);
+
+// Removes shapes that coincide with an earlier one and change no pixel: of several triangles with the same
+// vertices only the first is ever seen, and none of them blocks another. Of equal spheres the first two are
+// kept, since the second one blocks the far side of the first. Returns how many it removed.
+std::size_t removeCoincident(Primitives& primitives);
+
+}  // namespace lavaray

@@ -1,0 +1,90 @@
+#include "core/text_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "core/place.hpp"
+
+namespace lavaray {
+namespace {
+
+constexpr std::string_view kWhiteSpace = " \t";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+[[noreturn]] void throwSystemError() {
+  throw std::system_error(errno, std::generic_category());
+}
+
+}  // namespace
+
+std::string readFile(const std::filesystem::path& file) {
+  struct Close {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
+  const std::unique_ptr<std::FILE, Close> stream(std::fopen(file.c_str(), "rb"));
+  if (!stream) throwSystemError();
+
+  // The size is a hint only: a pipe has none, and a folder is found out by the first read.
+  std::error_code noSize;
+  const std::uintmax_t size = std::filesystem::file_size(file, noSize);
+  constexpr std::size_t kChunk = 1 << 16;
+  std::string text;
+  if (!noSize) text.reserve(static_cast<std::size_t>(size) + kChunk);
+  std::size_t length = 0;
+  for (;;) {
+    text.resize(length + kChunk);
+    const std::size_t count = std::fread(text.data() + length, 1, kChunk, stream.get());
+    length += count;
+    if (count < kChunk && std::ferror(stream.get()) != 0) throwSystemError();
+    if (count < kChunk) break;
+  }
+  text.resize(length);
+  return text;
+}
+
+void rejectNulBytes(std::string_view text, const std::filesystem::path& file) {
+  const std::size_t position = text.find('\0');
+  if (position == std::string_view::npos) return;
+  // The byte is part of the last line of what precedes it and itself.
+  Lines lines(text.substr(0, position + 1));
+  while (lines.next()) {
+  }
+  failAt({file, lines.lineNumber()}, "a NUL byte, allowed is plain text in ASCII or UTF-8");
+}
+
+Lines::Lines(std::string_view text) : text_(text) {
+  if (text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+}
+
+bool Lines::next() {
+  if (position_ >= text_.size()) return false;
+  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+  line_ = text_.substr(position_, end - position_);
+  position_ = end + 1;
+  while (line_.ends_with('\r')) line_.remove_suffix(1);
+  if (const std::size_t loneCr = line_.find('\r'); loneCr != std::string_view::npos) {
+    line_ = line_.substr(0, loneCr);
+    position_ = static_cast<std::size_t>(line_.data() + loneCr + 1 - text_.data());
+  }
+  ++number_;
+  return true;
+}
+
+std::string_view trim(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kWhiteSpace);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kWhiteSpace) - begin + 1);
+}
+
+std::string_view takeWord(std::string_view& rest) {
+  const std::size_t begin = std::min(rest.find_first_not_of(kWhiteSpace), rest.size());
+  const std::size_t end = std::min(rest.find_first_of(kWhiteSpace, begin), rest.size());
+  const std::string_view word = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return word;
+}
+
+}  // namespace lavaray

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace lavaray {
+
+// The bytes of a file. Throws std::system_error with the system's reason where it cannot be read.
+std::string readFile(const std::filesystem::path& file);
+
+// Throws Error(kInput) at the line of the first NUL byte. What has one is no text, or text in UTF-16.
+void rejectNulBytes(std::string_view text, const std::filesystem::path& file);
+
+// Walks through the lines of a text. A line ends with LF, CR LF, a lone CR or the end of the text; a UTF-8
+// byte-order mark in front of the first is skipped. Refers to the text, which must outlive it.
+class Lines {
+ public:
+  explicit Lines(std::string_view text);
+
+  // Goes on to the next line, first of all to the first. False where there is none.
+  bool next();
+
+  [[nodiscard]] std::string_view line() const { return line_; }     // without its end
+  [[nodiscard]] std::size_t lineNumber() const { return number_; }  // from 1
+
+ private:
+  std::string_view text_;
+  std::size_t position_ = 0;  // of the line after this one
+  std::string_view line_;
+  std::size_t number_ = 0;
+};
+
+// Without white space (blanks and tabs) at both ends.
+std::string_view trim(std::string_view text);
+
+// Cuts the first word off `rest`; empty where there is none.
+std::string_view takeWord(std::string_view& rest);
+
+}  // namespace lavaray

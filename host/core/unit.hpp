@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace lavaray {
+
+// v at unit length; the zero vector stays zero. Scaled by its largest component first, so that neither tiny
+// nor huge vectors lose their squared length.
+inline glm::dvec3 unitOrZero(const glm::dvec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0.0 ? glm::normalize(v / largest) : glm::dvec3(0.0);
+}
+
+}  // namespace lavaray

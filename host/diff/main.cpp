@@ -1,0 +1,107 @@
+// lavaray-diff: compares two images.
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/version.hpp"
+#include "core/errors.hpp"
+#include "image/difference.hpp"
+#include "image/image_file.hpp"
+#include "image/output_file.hpp"
+
+namespace lavaray {
+namespace {
+
+struct DiffOptions {
+  std::string image;
+  std::string reference;
+  std::string output;
+  std::optional<double> tolerance;  // in 1/255
+  std::optional<std::size_t> maxDiffering;
+  std::optional<double> maxRmse;
+};
+
+// Nothing where the command line asked for help or the version, which are printed then.
+std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
+  DiffOptions options;
+  CLI::App app("Compares two images.", "lavaray-diff");
+  app.set_version_flag("--version", std::string("lavaray-diff ") + kVersion);
+  app.footer("Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
+             "2 usage, 3 an image cannot be read, 5 output not written, 10 the images differ.");
+  app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pfm)")->required();
+  app.add_option("REFERENCE", options.reference, "Image to compare it with")->required();
+  app.add_option("--tolerance", options.tolerance, "A channel off by at most T/255 does not differ")
+      ->type_name("T")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--max-differing", options.maxDiffering, "Allow N differing pixels")->type_name("N");
+  app.add_option("--max-rmse", options.maxRmse, "Allow a root-mean-square error of E (colours in 0..1)")
+      ->type_name("E")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("-o,--output", options.output, "Write a picture of the difference, the largest as 1")
+      ->type_name("FILE");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    app.exit(success, std::cout, std::cerr);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray-diff --help lists the options");
+  }
+  if (!options.output.empty() && !imageFormat(options.output)) {
+    throw Error(ExitCode::kUsage, "--output " + options.output + ": its ending says no image format; allowed are " +
+                                      kImageFormatNames);
+  }
+  return options;
+}
+
+// A limit that is not given does not count; without any, no pixel may differ.
+bool withinLimits(const DiffOptions& options, const Difference& difference) {
+  const bool pixelsCount = options.tolerance || options.maxDiffering || !options.maxRmse;
+  if (pixelsCount && difference.differing > options.maxDiffering.value_or(0)) return false;
+  return !options.maxRmse || difference.rmse <= *options.maxRmse;
+}
+
+ExitCode diff(const DiffOptions& options) {
+  const Image image = readImage(options.image);
+  const Image reference = readImage(options.reference);
+  std::cout << "size         " << image.width << " x " << image.height << '\n';
+  if (image.width != reference.width || image.height != reference.height) {
+    std::cout << "reference    " << reference.width << " x " << reference.height << "\n";
+    return ExitCode::kImagesDiffer;
+  }
+  // Half a percent of a level, so that a difference of T levels, a rounded quotient of 255, is within T.
+  const double tolerance = (options.tolerance.value_or(0.0) + (options.tolerance ? 0.005 : 0.0)) / 255.0;
+  const Difference difference = compare(image, reference, tolerance);
+  std::cout << "differing    " << difference.differing << " of " << difference.pixels << " pixels\n"
+            << "largest      " << difference.largest * 255.0 << " / 255 at " << difference.x << "," << difference.y
+            << '\n'
+            << "RMSE         " << difference.rmse << '\n'
+            << "PSNR         " << difference.psnr() << " dB\n";
+  if (!options.output.empty()) {
+    OutputFile file(options.output);
+    writeImage(differencePicture(image, reference), imageFormat(options.output).value(), file.stream());
+    file.commit();
+  }
+  return withinLimits(options, difference) ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
+}
+
+}  // namespace
+}  // namespace lavaray
+
+int main(int argc, char** argv) {
+  using lavaray::ExitCode;
+  try {
+    const auto options = lavaray::parseDiffOptions(argc, argv);
+    return static_cast<int>(options ? lavaray::diff(*options) : ExitCode::kSuccess);
+  } catch (const lavaray::Error& error) {
+    std::cerr << "lavaray-diff: " << error.what() << '\n';
+    return static_cast<int>(error.exitCode());
+  } catch (const std::exception& error) {
+    std::cerr << "lavaray-diff: internal error: " << error.what() << '\n';
+    return static_cast<int>(ExitCode::kInternalError);
+  }
+}

@@ -1,0 +1,99 @@
+#include "image/image_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#define cimg_display 0
+#define cimg_verbosity 0
+#define cimg_use_png
+#include <CImg.h>
+
+#include "core/errors.hpp"
+
+namespace lavaray {
+namespace {
+
+using cimg_library::CImg;
+
+// CImg keeps the channels one after the other.
+template <typename Value, typename Convert>
+CImg<Value> planar(const Image& image, const Convert& convert) {
+  CImg<Value> result(image.width, image.height, 1, 3);
+  const std::size_t pixels = std::size_t(image.width) * image.height;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    Value* plane = result.data() + channel * pixels;
+    for (std::size_t i = 0; i < pixels; ++i) plane[i] = convert(image.rgb[3 * i + channel]);
+  }
+  return result;
+}
+
+// The header of a BMP file states its size in 32 bits.
+void checkBmpSize(const Image& image) {
+  const std::uint64_t row = (std::uint64_t{3} * image.width + 3) / 4 * 4;
+  const std::uint64_t bytes = 54 + row * image.height;
+  if (bytes <= 0xFFFFFFFFU) return;
+  throw Error(ExitCode::kOutput, "a BMP file of " + std::to_string(image.width) + " x " +
+                                     std::to_string(image.height) + " pixels would take " +
+                                     std::to_string(bytes) + " bytes, at most 4294967295 are allowed; write " +
+                                     ".png, .ppm or .pfm");
+}
+
+}  // namespace
+
+std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".bmp") return ImageFormat::kBmp;
+  if (ending == ".png") return ImageFormat::kPng;
+  if (ending == ".ppm") return ImageFormat::kPpm;
+  if (ending == ".pfm") return ImageFormat::kPfm;
+  return std::nullopt;
+}
+
+std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(255.0 * static_cast<double>(value)); }
+
+void writeImage(const Image& image, ImageFormat format, std::FILE* stream) {
+  if (format == ImageFormat::kBmp) checkBmpSize(image);
+  try {
+    if (format == ImageFormat::kPfm) {
+      planar<float>(image, [](float value) { return value; }).save_pfm(stream);
+      return;
+    }
+    const CImg<std::uint8_t> bytes = planar<std::uint8_t>(image, toByte);
+    if (format == ImageFormat::kBmp) bytes.save_bmp(stream);
+    if (format == ImageFormat::kPng) bytes.save_png(stream, 1);
+    if (format == ImageFormat::kPpm) bytes.save_pnm(stream, 1);
+  } catch (const cimg_library::CImgException& e) {
+    throw Error(ExitCode::kOutput, std::string("the image cannot be written: ") + e.what());
+  }
+}
+
+Image readImage(const std::filesystem::path& file) {
+  const std::optional<ImageFormat> format = imageFormat(file);
+  if (!format) {
+    throw Error(ExitCode::kInput, file.string() + ": its ending says no image format; allowed are " +
+                                      kImageFormatNames);
+  }
+  CImg<float> loaded;
+  try {
+    if (format == ImageFormat::kBmp) loaded.load_bmp(file.c_str());
+    if (format == ImageFormat::kPng) loaded.load_png(file.c_str());
+    if (format == ImageFormat::kPpm) loaded.load_pnm(file.c_str());
+    if (format == ImageFormat::kPfm) loaded.load_pfm(file.c_str());
+  } catch (const cimg_library::CImgException&) {
+    throw Error(ExitCode::kInput, file.string() + ": cannot be read as an image of this ending");
+  }
+  Image image{loaded.width(), loaded.height(), {}};
+  const std::size_t pixels = std::size_t(image.width) * image.height;
+  const float scale = format == ImageFormat::kPfm ? 1.0F : 255.0F;
+  image.rgb.resize(3 * pixels);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    // A grey image has one channel, which stands for all three; a fourth is not looked at.
+    const float* plane = loaded.data() + (loaded.spectrum() >= 3 ? channel : 0) * pixels;
+    for (std::size_t i = 0; i < pixels; ++i) image.rgb[3 * i + channel] = plane[i] / scale;
+  }
+  return image;
+}
+
+}  // namespace lavaray

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "image/image.hpp"
+
+namespace lavaray {
+
+enum class ImageFormat {
+  kBmp,  // 8 bits a channel: trunc(255 c)
+  kPng,  // likewise
+  kPpm,  // likewise
+  kPfm,  // the float values as they are
+};
+
+inline constexpr const char* kImageFormatNames = ".bmp, .png, .ppm, .pfm";
+
+// By the ending of the name, whatever its case; nothing for any other ending.
+std::optional<ImageFormat> imageFormat(const std::filesystem::path& file);
+
+// Throws Error(kOutput) where the image is too large for the format. Whether all was written is for the owner
+// of the stream to check.
+void writeImage(const Image& image, ImageFormat format, std::FILE* stream);
+
+// Throws Error(kInput) where the file cannot be read as its ending says. 8-bit values v become v / 255.
+Image readImage(const std::filesystem::path& file);
+
+std::uint8_t toByte(float value);
+
+}  // namespace lavaray

@@ -1,0 +1,69 @@
+#include "image/output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "core/errors.hpp"
+
+namespace lavaray {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+  throw Error(ExitCode::kOutput, path.string() + ": cannot be written: " + why);
+}
+
+// The mode that a file made by open(2) would have; the one of mkstemp is private to its owner.
+mode_t ordinaryMode() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const fs::path& path) : path_(path) {
+  std::error_code none;
+  // Through a symbolic link the file it points to is replaced, not the link.
+  if (fs::is_symlink(path_, none)) path_ = fs::weakly_canonical(path_);
+  struct stat old {};
+  const bool exists = stat(path_.c_str(), &old) == 0;
+  if (exists && !S_ISREG(old.st_mode)) fail(path, "it is there and is not an ordinary file");
+
+  temporary_ = (path_.parent_path() / ("." + path_.filename().string() + ".XXXXXX")).string();
+  const int descriptor = mkstemp(temporary_.data());
+  if (descriptor < 0) {
+    temporary_.clear();
+    fail(path, std::strerror(errno));
+  }
+  fchmod(descriptor, exists ? old.st_mode & 07777 : ordinaryMode());
+  stream_ = fdopen(descriptor, "wb");
+  if (stream_ == nullptr) {
+    const int reason = errno;
+    close(descriptor);
+    unlink(temporary_.c_str());
+    fail(path, std::strerror(reason));
+  }
+}
+
+OutputFile::~OutputFile() {
+  if (stream_ != nullptr) std::fclose(stream_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  const bool written = std::ferror(stream_) == 0 && std::fflush(stream_) == 0;
+  const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
+  if (!written || !closed) fail(path_, errno != 0 ? std::strerror(errno) : "a write failed");
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, std::strerror(errno));
+  temporary_.clear();
+}
+
+}  // namespace lavaray

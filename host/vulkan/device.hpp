@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "vulkan/handle.hpp"
+#include "vulkan/instance.hpp"
+
+namespace lavaray::vulkan {
+
+struct DeviceLimits {
+  VkDeviceSize storageBufferRange;   // bytes
+  std::uint32_t texelBufferElements;
+  std::uint32_t workGroupsX;         // of one dispatch
+};
+
+// A logical device with one compute queue. Work is recorded, submitted and waited for in one call: the program
+// never has two pieces of work under way.
+class Device {
+ public:
+  explicit Device(const DeviceDescription& description);
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  [[nodiscard]] VkDevice get() const { return device_; }
+  [[nodiscard]] const DeviceDescription& description() const { return description_; }
+  [[nodiscard]] const DeviceLimits& limits() const { return limits_; }
+  [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+
+  // Records commands by `record`, submits them and waits until they are done.
+  void submit(const std::function<void(VkCommandBuffer)>& record);
+
+ private:
+  DeviceDescription description_;
+  DeviceLimits limits_{};
+  VkPhysicalDeviceMemoryProperties memory_{};
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  Handle<VkCommandPool, &vkDestroyCommandPool> pool_;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;  // freed with the pool
+  Handle<VkFence, &vkDestroyFence> fence_;
+};
+
+}  // namespace lavaray::vulkan

@@ -1,0 +1,126 @@
+// Where a ray meets a box, a triangle, a sphere or a plane.
+//
+// The sign of a difference of products decides hit or miss here. `precise` forbids the compiler to contract or
+// to reorder it: rounding alone never turns such a sign, it can only make it zero, and zero counts as inside.
+// A ray is o + t d, where d may have any length; a hit has 0 < t < infinity. The tests are written so that a
+// NaN fails them.
+#ifndef INTERSECT_GLSL
+#define INTERSECT_GLSL
+
+#include "vector.glsl"
+
+struct Ray {
+  vec3 origin;
+  vec3 direction;
+};
+
+// What a traversal needs of its ray, computed once.
+struct RayConstants {
+  vec3 inverse;    // of the direction; +-infinity where that is zero
+  bvec3 negative;  // whether the ray enters a box through its upper side, for each axis
+  uint axis;       // of the direction's largest component: the ray's own z axis
+  vec3 shear;      // the direction there, scaled by a power of two so that 1 <= |shear.z| < 2
+  float inverseZ;  // 1 / the unscaled z component
+};
+
+// Moves the components round until `axis` is z.
+vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : v.yzx); }
+
+RayConstants rayConstants(Ray ray) {
+  RayConstants constants;
+  constants.inverse = 1.0 / ray.direction;
+  constants.negative = lessThan(constants.inverse, vec3(0.0));
+  const vec3 size = abs(ray.direction);
+  constants.axis = size.z >= size.x && size.z >= size.y ? 2u : (size.y >= size.x ? 1u : 0u);
+  const vec3 direction = permute(ray.direction, constants.axis);
+  // 2^-e for |z| = m 2^e, by its exponent bits: e becomes -e.
+  const uint exponentBits = floatBitsToUint(direction.z) & 0x7F800000u;
+  constants.shear = direction * uintBitsToFloat(0x7F000000u - exponentBits);
+  constants.inverseZ = 1.0 / direction.z;
+  return constants;
+}
+
+// Distance at which the ray enters the box, or infinity if it misses it or enters it behind tMax.
+//
+// Choosing the near and the far side by the sign of the direction, instead of by minimum and maximum, makes
+// 0 * infinity (a ray inside a side's plane) a NaN that no comparison takes up: the axis sets no bound.
+// The far distance is widened by two units in the last place, which covers the rounding of all three axes:
+// Ize, "Robust BVH Ray Traversal", 2013.
+float intersectBox(Ray ray, RayConstants constants, vec3 lower, vec3 upper, float tMax) {
+  precise const vec3 tNear = (mix(lower, upper, constants.negative) - ray.origin) * constants.inverse;
+  precise const vec3 tFar = (mix(upper, lower, constants.negative) - ray.origin) * constants.inverse;
+  float entry = 0.0;
+  entry = tNear.x > entry ? tNear.x : entry;
+  entry = tNear.y > entry ? tNear.y : entry;
+  entry = tNear.z > entry ? tNear.z : entry;
+  float exit = tMax;
+  exit = tFar.x < exit ? tFar.x : exit;
+  exit = tFar.y < exit ? tFar.y : exit;
+  exit = tFar.z < exit ? tFar.z : exit;
+  precise const float paddedExit = exit * 1.00000024;
+  return entry <= paddedExit ? entry : kInfinity;
+}
+
+// Distance to the triangle, or infinity; `weights` are the barycentric coordinates of a, b, c.
+//
+// The triangle is sheared into coordinates in which the ray is the z axis, and the signed areas that the axis
+// makes with each edge are compared. Two triangles that share an edge compute the same products for it, so no
+// ray passes between them. Based on: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013,
+// without its double-precision fallback, which only takes back hits on edges, and with the shear multiplied by
+// the ray's z instead of divided: then the vertices of a scene in round numbers are sheared exactly, and a
+// pixel's centre on an edge hits it.
+float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c, out vec3 weights) {
+  precise const vec3 localA = permute(a - ray.origin, constants.axis);
+  precise const vec3 localB = permute(b - ray.origin, constants.axis);
+  precise const vec3 localC = permute(c - ray.origin, constants.axis);
+  precise const vec2 shearedA = localA.xy * constants.shear.z - constants.shear.xy * localA.z;
+  precise const vec2 shearedB = localB.xy * constants.shear.z - constants.shear.xy * localB.z;
+  precise const vec2 shearedC = localC.xy * constants.shear.z - constants.shear.xy * localC.z;
+  precise const vec3 areas = vec3(shearedC.x * shearedB.y - shearedC.y * shearedB.x,
+                                  shearedA.x * shearedC.y - shearedA.y * shearedC.x,
+                                  shearedB.x * shearedA.y - shearedB.y * shearedA.x);
+  weights = vec3(0.0);
+  if (any(lessThan(areas, vec3(0.0))) && any(greaterThan(areas, vec3(0.0)))) return kInfinity;
+  precise const float sum = areas.x + areas.y + areas.z;
+  if (sum == 0.0) return kInfinity;
+  weights = areas / sum;
+  precise const float depth = weights.x * localA.z + weights.y * localB.z + weights.z * localC.z;
+  precise const float t = depth * constants.inverseZ;
+  return t > 0.0 ? t : kInfinity;
+}
+
+// Distance to the near side of the sphere, or infinity. From inside, or from the surface inwards, it is not
+// seen.
+//
+// b^2 - a c cancels for a distant sphere, and r^2 - (distance of the centre from the ray)^2 does for a huge
+// one: each is used where its terms are the smaller ones. In c, the largest axis pairs with the radius.
+// Based on: Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
+float intersectSphere(Ray ray, vec3 center, float radius) {
+  precise const vec3 f = ray.origin - center;
+  precise const float a = dot(ray.direction, ray.direction);
+  precise const float b = -dot(f, ray.direction);
+  const vec3 size = abs(f);
+  const float m = maxComponent(size);
+  const vec2 others = size.x == m ? size.yz : (size.y == m ? size.xz : size.xy);
+  precise const float c = (m - radius) * (m + radius) + dot(others, others);
+  if (!(b > 0.0 && c > 0.0)) return kInfinity;
+  precise const float radius2 = radius * radius;
+  precise float discriminant;
+  if (b * b < a * radius2) {
+    discriminant = b * b - a * c;
+  } else {
+    precise const vec3 offset = f + (b / a) * ray.direction;
+    discriminant = a * (radius2 - dot(offset, offset));
+  }
+  if (!(discriminant >= 0.0)) return kInfinity;
+  precise const float t = c / (b + sqrt(discriminant));
+  return t > 0.0 ? t : kInfinity;
+}
+
+// Distance to the plane, or infinity.
+float intersectPlane(Ray ray, vec3 normal, float distance) {
+  precise const float t = (distance - dot(normal, ray.origin)) / dot(normal, ray.direction);
+  return t > 0.0 ? t : kInfinity;  // 0 / 0 is a ray inside the plane: NaN, a miss; x / 0 is infinite
+}
+
+#endif

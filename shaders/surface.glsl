@@ -1,0 +1,76 @@
+// The point of a hit: where it is, how sure that is, and how it is oriented.
+#ifndef SURFACE_GLSL
+#define SURFACE_GLSL
+
+#include "traverse.glsl"
+
+struct SurfacePoint {
+  vec3 position;
+  float error;           // bound of the position's distance from the surface
+  vec3 geometricNormal;  // unit length; sets the side that a secondary ray leaves from
+  vec3 shadingNormal;    // unit length, on the side that the surface is seen from
+};
+
+// Half a unit in the last place of 1, and how many of them the position may be off by, in proportion to the
+// numbers it is computed from: the ones of the projection below (about 6), of the host's rounding of
+// coordinates and normals (2) and of adding the offset (1), doubled.
+const float kHalfUlp = 5.9604645e-8;
+const float kPositionUlps = 16.0;
+
+// Moves a point near a plane onto it; what is left is the rounding of the distance, not that of t.
+SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction) {
+  precise const float offPlane = dot(normal, near) - distance;
+  precise const vec3 position = near - offPlane * normal;
+  const float error = kPositionUlps * kHalfUlp * (dot(abs(normal), abs(position)) + abs(distance));
+  const vec3 facing = dot(normal, direction) > 0.0 ? -normal : normal;
+  return SurfacePoint(position, error, facing, facing);
+}
+
+SurfacePoint pointOnSphere(vec3 near, vec3 center, float radius) {
+  const vec3 normal = unit(near - center);
+  precise const vec3 position = center + radius * normal;
+  const float error = kPositionUlps * kHalfUlp * (dot(abs(normal), abs(center)) + radius);
+  return SurfacePoint(position, error, normal, normal);
+}
+
+// The interpolated normal, turned so that the face, taken on the side that this normal is on, is seen from the
+// front: then neither the winding nor a silhouette flips it. Zero where the corner normals cancel.
+vec3 interpolatedNormal(uint firstCornerNormal, vec3 weights, vec3 facing) {
+  const vec3 normal = unit(weights.x * fetchCornerNormal(firstCornerNormal).normal +
+                           weights.y * fetchCornerNormal(firstCornerNormal + 1u).normal +
+                           weights.z * fetchCornerNormal(firstCornerNormal + 2u).normal);
+  return dot(normal, facing) < 0.0 ? -normal : normal;
+}
+
+SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direction) {
+  const TrianglePlane plane = fetchTrianglePlane(hit.surface);
+  SurfacePoint point = pointOnPlane(near, plane.normal, plane.distance, direction);
+  if (kHasCornerNormals && primitive.kind != kNoCornerNormals) {
+    const vec3 normal = interpolatedNormal(primitive.kind, hit.weights, point.geometricNormal);
+    if (normal != vec3(0.0)) point.shadingNormal = normal;
+  }
+  return point;
+}
+
+SurfacePoint surfacePoint(Ray ray, Hit hit) {
+  const vec3 near = ray.origin + hit.t * ray.direction;
+  if (kPlaneCount > 0u && (hit.surface & kPlaneBit) != 0u) {
+    const Plane plane = planes[hit.surface & ~kPlaneBit];
+    return pointOnPlane(near, plane.normal, plane.distance, ray.direction);
+  }
+  const Primitive primitive = fetchPrimitive(hit.surface);
+  if (kHasSpheres && (!kHasTriangles || primitive.kind == kSphere)) {
+    return pointOnSphere(near, primitive.a, primitive.b.x);
+  }
+  return pointOnTriangle(near, hit, primitive, ray.direction);
+}
+
+// Origin of a ray that leaves the point towards `direction`: moved off the surface by the error bound, to the
+// side that the ray is on, so that no part of the surface is found at distance zero.
+vec3 leave(SurfacePoint point, vec3 direction) {
+  const float side = dot(point.geometricNormal, direction) < 0.0 ? -1.0 : 1.0;
+  precise const vec3 origin = point.position + (side * point.error) * point.geometricNormal;
+  return origin;
+}
+
+#endif

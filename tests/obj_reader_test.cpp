@@ -1,0 +1,282 @@
+#include "core/obj_reader.hpp"
+
+#include <array>
+#include <locale>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "input_files.hpp"
+
+namespace lavaray {
+namespace {
+
+using Indices = std::array<std::uint32_t, 3>;
+
+const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+Mesh read(std::string_view content) {
+  return readObj(writeFile("mesh.obj", content));
+}
+
+std::vector<Indices> positions(const Mesh& mesh) {
+  std::vector<Indices> result;
+  for (const MeshTriangle& triangle : mesh.triangles) result.push_back(triangle.positions);
+  return result;
+}
+
+TEST(ReadObj, PositionsNormalsAndTheirIndices) {
+  const Mesh mesh = read(kTriangle + "vn 0 0 2\nvn 0 0 0\nf 1//1 2//2 3//1\n");
+  EXPECT_EQ(mesh.file.filename(), "mesh.obj");
+  EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(mesh.normals, (std::vector<glm::dvec3>{{0, 0, 2}, {0, 0, 0}}));
+  ASSERT_EQ(mesh.triangles.size(), 1U);
+  EXPECT_EQ(mesh.triangles[0].positions, (Indices{0, 1, 2}));
+  EXPECT_EQ(mesh.triangles[0].normals, (Indices{0, 1, 0}));
+  EXPECT_EQ(mesh.degenerateTriangles, 0U);
+}
+
+TEST(ReadObj, EveryFormOfCorner) {
+  const Mesh mesh = read(kTriangle +
+                         "vt 0\nvt 0 1\nvt 0 1 0\nvn 0 0 1\n"
+                         "f 1 2 3\nf 1/1 2/2 3/3\nf 1//1 2//1 3//1\nf 1/1/1 2/2/1 3/3/1\nf +1 +2 +3\n");
+  ASSERT_EQ(mesh.triangles.size(), 5U);
+  const std::array expected{kNoNormal, kNoNormal, 0U, 0U, kNoNormal};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(mesh.triangles[i].positions, (Indices{0, 1, 2}));
+    EXPECT_EQ(mesh.triangles[i].normals, (Indices{expected[i], expected[i], expected[i]}));
+  }
+}
+
+TEST(ReadObj, NormalsOnSomeCornersAreNone) {
+  const Mesh mesh = read(kSquare + "vn 0 0 1\nf 1//1 2//1 3//1 4\n");
+  ASSERT_EQ(mesh.triangles.size(), 2U);
+  for (const MeshTriangle& triangle : mesh.triangles) {
+    EXPECT_EQ(triangle.normals, (Indices{kNoNormal, kNoNormal, kNoNormal}));
+  }
+}
+
+TEST(ReadObj, NegativeIndicesCountFromTheirLine) {
+  const Mesh mesh = read(kTriangle + "vt 0 0\nvn 0 0 1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\n" + kTriangle +
+                         "vn 0 1 0\nf -3//-1 -2//-1 -1//-1\n");
+  EXPECT_EQ(positions(mesh), (std::vector<Indices>{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(mesh.triangles[0].normals, (Indices{0, 0, 0}));
+  EXPECT_EQ(mesh.triangles[1].normals, (Indices{1, 1, 1}));
+}
+
+TEST(ReadObj, FacesBeforeTheirVertices) {
+  const Mesh mesh = read("f 1/1/1 2/2/1 3/1/1\n" + kTriangle + "vt 0 0\nvt 1 0\nvn 0 0 1\n");
+  EXPECT_EQ(positions(mesh), (std::vector<Indices>{{0, 1, 2}}));
+}
+
+TEST(ReadObj, PolygonsKeepTheirWinding) {
+  EXPECT_EQ(positions(read(kSquare + "f 1 2 3 4\n")), (std::vector<Indices>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(positions(read(kSquare + "f 4 3 2 1\n")), (std::vector<Indices>{{3, 2, 1}, {3, 1, 0}}));
+}
+
+TEST(ReadObj, ConcaveQuadWithNormals) {
+  const Mesh mesh = read(
+      "v 0 0 0\nv 4 -2 0\nv 1 0 0\nv 4 2 0\nvn 0 0 1\nvn 0 0 2\nvn 0 0 3\nvn 0 0 4\n"
+      "f 2//2 3//3 4//4 1//1\n");
+  ASSERT_EQ(mesh.triangles.size(), 2U);
+  for (const MeshTriangle& t : mesh.triangles) {
+    EXPECT_EQ(t.positions, t.normals);
+    const auto& p = mesh.positions;
+    const glm::dvec3 a = p[t.positions[0]];
+    EXPECT_EQ(glm::cross(p[t.positions[1]] - a, p[t.positions[2]] - a).z, 2.0);
+  }
+}
+
+TEST(ReadObj, DegenerateTrianglesAreDroppedAndCounted) {
+  const Mesh mesh = read(kSquare + "v 2 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\nf 1 2 5 1\nf 1 2 3 3\nf 1 2 3\n");
+  EXPECT_EQ(mesh.triangles.size(), 3U);  // coincident faces are kept
+  EXPECT_EQ(mesh.degenerateTriangles, 1U + 1U + 2U + 1U);
+}
+
+TEST(ReadObj, EverythingElseIsIgnored) {
+  const Mesh mesh = read(
+      "# comment \xFF\n#\nmtllib no such.mtl\no\no name\ng\ng a b\ns off\nusemtl\nusemtl m\nl 1 2\np 1\n"
+      "vp 0.5\nvx broken\nfo 1\ncstype bezier\ncall x\n\n   \n\t\n" +
+      kTriangle + "f 1 2 3\nusemtl other\nend");
+  EXPECT_EQ(mesh.triangles.size(), 1U);
+}
+
+TEST(ReadObj, CommentsAtLineEnds) {
+  const Mesh mesh = read("v 0 0 0 # origin\nv 1 0 0\t#x\nv 0 1 0 # y # y\nf 1 2 3 # f 9 9 9\n");
+  EXPECT_EQ(mesh.triangles.size(), 1U);
+}
+
+TEST(ReadObj, LineEndsAndWhiteSpace) {
+  for (const std::string content :
+       {"v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", "v 0 0 0\nv 1 0 0\r\nv 0 1 0\nf 1 2 3",
+        "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
+        "\xEF\xBB\xBFv 0 0 0\n\n \tv\t1 0  0 \t\n  v 0 1 0\n\tf  1\t2 3 \r\n",
+        "v 0 0 0\r\r\nv 1 0 0\r\r\nv 0 1 0\r\r\nf 1 2 3\r\r"}) {
+    EXPECT_EQ(positions(read(content)), (std::vector<Indices>{{0, 1, 2}})) << content;
+  }
+}
+
+TEST(ReadObj, NumbersAreExact) {
+  const Mesh mesh = read(
+      "v 0.1 -12345.678901234567 +1e-3\nv .5 5. 1E2 1\nv 1e-400 0 0 0.1 0.2 0.3\n"
+      "v 1e15 -1e15 0 1 0.1 0.2 0.3\nf 1 2 3\n");
+  EXPECT_EQ(mesh.positions,
+            (std::vector<glm::dvec3>{
+                {0.1, -12345.678901234567, 1e-3}, {0.5, 5.0, 100.0}, {0, 0, 0}, {1e15, -1e15, 0}}));
+}
+
+TEST(ReadObj, LargePolygon) {
+  std::string content;
+  std::string face = "f";
+  for (int i = 0; i < 10000; ++i) {
+    content += "v " + std::to_string(i) + " " + std::to_string(i % 2 + (i < 5000 ? 0 : 10)) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  EXPECT_EQ(read(content + "v 9999 100 0\nv 0 100 0\n" + face + " 10001 10002\n").triangles.size(), 10000U);
+}
+
+TEST(ReadObj, LocaleDoesNotMatter) {
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  const Mesh mesh = read("v 0.25 0 0\nv 1000.5 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::locale::global(before);
+  EXPECT_EQ(mesh.positions[0].x, 0.25);
+  EXPECT_EQ(mesh.positions[1].x, 1000.5);
+}
+
+struct BadObj {
+  std::string name;
+  std::string content;
+  std::size_t line;
+  std::string words;
+};
+
+// In the names of the tests.
+void PrintTo(const BadObj& value, std::ostream* out) {
+  *out << value.name;
+}
+
+class ReadObjFails : public testing::TestWithParam<BadObj> {};
+
+TEST_P(ReadObjFails, AtTheLine) {
+  const BadObj& bad = GetParam();
+  const auto file = writeFile("bad.obj", bad.content);
+  expectMessage(inputError([&] { readObj(file); }), file, bad.line, bad.words);
+}
+
+const BadObj kBadObjs[] = {
+    {"Empty", "", 1, "no face"},
+    {"NoFaces", kTriangle, 3, "no face"},
+    {"NoFacesBlankEnd", kTriangle + "\n\n", 5, "no face"},
+    {"OnlyDegenerate", kTriangle + "f 1 1 2", 4, "no face"},
+    {"NulByte", kTriangle + "f 1 2 3\n#" + std::string(1, '\0') + "\nf x", 5, "NUL"},
+    {"NulByteAtLineStart", "v 0 0 0\n" + std::string(1, '\0'), 2, "NUL"},
+    {"TwoNumbers", "v 0 0 0\nv 1 0\n", 2, "allowed are 3, 4, 6 or 7"},
+    {"FiveNumbers", "v 0 0 0 1 1\n", 1, "5 numbers"},
+    {"EightNumbers", "v 0 0 0 1 1 1 1 1\n", 1, "8 numbers"},
+    {"BareV", "v\n", 1, "0 numbers"},
+    {"BareVn", "\nvn\r\n", 2, "0 numbers"},
+    {"BareVt", "vt", 1, "0 numbers"},
+    {"BareF", "f\n", 1, "0 corners"},
+    {"FourNormalNumbers", "vn 0 0 1 1\n", 1, "allowed are 3"},
+    {"FourTexcoordNumbers", "vt 0 0 1 1\n", 1, "allowed are 1, 2 or 3"},
+    {"TextInVertex", "v 0 zero 0\n", 1, "\"zero\" is not a number"},
+    {"HalfANumber", "v 0 1.5x 0\n", 1, "\"1.5x\" is not a number"},
+    {"CommaInNumber", "v 0,5 0 0\n", 1, "\"0,5\" is not a number"},
+    {"Hexadecimal", "v 0x10 0 0\n", 1, "not a number"},
+    {"Nan", "vn 0 nan 0\n", 1, "out of range"},
+    {"Infinity", "v 0 0 0\nv 0 -inf 0\n", 2, "out of range"},
+    {"Overflow", "v 0 0 1e999\n", 1, "out of range"},
+    {"TooLarge", "v 0 0 1.1e15\n", 1, "from -1e+15 to 1e+15"},
+    {"TextInTexcoord", "vt a b\n", 1, "not a number"},
+    {"VerticalTab", "v 0 0\v0\n", 1, "not a number"},
+    {"TwoCorners", kTriangle + "f 1 2\n", 4, "2 corners, allowed are 3 or more"},
+    {"TwoCornersAndComment", kTriangle + "f 1 2 # 3\n", 4, "2 corners"},
+    {"VertexZero", kTriangle + "f 0 1 2\n", 4, "index 0"},
+    {"TexcoordZero", kTriangle + "vt 0 0\nf 1/1 2/0 3/1\n", 5, "index 0"},
+    {"NormalZero", kTriangle + "vn 0 0 1\nf 1//1 2//1 3//0\n", 5, "index 0"},
+    {"VertexTooLarge", kTriangle + "\nf 1 2 4\nf 1 2 3\n", 5, "vertex 4 is out of range, there are 3"},
+    {"TexcoordTooLarge", kTriangle + "vt 0 0\nf 1/1 2/2 3/1\n", 5,
+     "texture coordinate 2 is out of range, there are 1"},
+    {"NormalTooLarge", kTriangle + "f 1//1 2//1 3//1\n", 4, "normal 1 is out of range, there are 0"},
+    {"VertexTooNegative", kTriangle + "f -1 -2 -4\n" + kTriangle, 4,
+     "vertex -4 is out of range, there are 3"},
+    {"TexcoordTooNegative", kTriangle + "f 1/-1 2/-1 3/-1\nvt 0 0\n", 4,
+     "texture coordinate -1 is out of range"},
+    {"NormalTooNegative", kTriangle + "vn 0 0 1\nf 1//-1 2//-2 3//-1\n", 5, "normal -2 is out of range"},
+    {"MostNegative", kTriangle + "f 1 2 -2147483648\n", 4, "out of range"},
+    {"LargestIndex", kTriangle + "f 1 2 2147483647\n", 4, "vertex 2147483647 is out of range"},
+    {"HugeIndex", kTriangle + "f 1 2 99999999999\n", 4, "out of range"},
+    {"TextInFace", kTriangle + "f 1 2 three\n", 4, "\"three\" is not a corner"},
+    {"NumberInFace", kTriangle + "f 1 2 3.0\n", 4, "not a corner"},
+    {"TextBehindIndex", kTriangle + "f 1 2 3x\n", 4, "not a corner"},
+    {"TrailingSlash", kTriangle + "vt 0 0\nf 1/ 2/ 3/\n", 5, "not a corner"},
+    {"TrailingSlashes", kTriangle + "f 1// 2// 3//\n", 4, "not a corner"},
+    {"NormalMissing", kTriangle + "vt 0\nf 1/1/ 2/1/ 3/1/\n", 5, "not a corner"},
+    {"LeadingSlash", kTriangle + "f /1 2 3\n", 4, "not a corner"},
+    {"FourIndices", kTriangle + "vt 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", 6, "not a corner"},
+    {"SpacedSlash", kTriangle + "f 1 /1 2 3\n", 4, "not a corner"},
+    {"AfterCrLf", "v 0 0 0\r\n\r\nv 0 0\r\n", 3, "2 numbers"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, ReadObjFails, testing::ValuesIn(kBadObjs),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(ReadObj, UnreadableFiles) {
+  const auto folder = testFolder();
+  EXPECT_THROW(readObj(folder), UnreadableFile);
+  EXPECT_THROW(readObj(folder / "missing.obj"), UnreadableFile);
+  EXPECT_THROW(readObj(folder / "missing" / "mesh.obj"), UnreadableFile);
+  EXPECT_THROW(readObj(std::string(5000, 'x')), UnreadableFile);
+  const std::string message = inputError([&] { readObj(folder / "missing.obj"); });
+  EXPECT_EQ(message, (folder / "missing.obj").string() + ": cannot be read: No such file or directory");
+}
+
+struct SharedMesh {
+  std::string name;
+  std::string path;
+  std::size_t triangles;  // together with the degenerate ones
+};
+
+// In the names of the tests.
+void PrintTo(const SharedMesh& value, std::ostream* out) {
+  *out << value.name;
+}
+
+class SharedMeshes : public testing::TestWithParam<SharedMesh> {};
+
+TEST_P(SharedMeshes, Load) {
+  const auto file = std::filesystem::path(LAVARAY_SHARED_DIR) / GetParam().path;
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";
+  const Mesh mesh = readObj(file);
+  EXPECT_EQ(mesh.triangles.size() + mesh.degenerateTriangles, GetParam().triangles);
+  EXPECT_LT(mesh.degenerateTriangles, mesh.triangles.size());
+}
+
+const SharedMesh kSharedMeshes[] = {
+    {"Bunny", "meshes/stanford-bunny.obj", 69451},
+    {"Nefertiti", "meshes/nefertiti.obj", 99938},
+    {"Beast", "meshes/beast.obj", 64618},
+    {"Spot", "meshes/spot.obj", 5856},
+    {"Fandisk", "meshes/fandisk.obj", 12946},
+    {"Teapot", "meshes/teapot.obj", 6320},
+    {"Beetle", "meshes/beetle.obj", 2053},
+    {"Suzanne", "meshes/suzanne.obj", 968},
+    {"Cube", "course/cube.obj", 12},
+    {"Fish", "course/fish.obj", 135},
+    {"Map", "course/map.obj", 18},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, SharedMeshes, testing::ValuesIn(kSharedMeshes),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace lavaray
