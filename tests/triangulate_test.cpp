@@ -222,7 +222,7 @@ TEST(Triangulate, RandomBentPolygonsLeaveNoHole) {
       for (std::size_t i = 0; i < corners; ++i) polygon.push_back(randomVector(random));
       const auto triangles = triangulated(polygon);
       EXPECT_EQ(triangles.size(), corners - 2);
-      expectBalancedSides(corners, triangles);
+      expectMatchingSides(corners, triangles);
     }
   }
 }
@@ -266,7 +266,7 @@ TEST(Triangulate, TenThousandCornersTakeNoLongTime) {
   expectPartition(star, 9998);
   Polygon chaos;
   for (int i = 0; i < 10000; ++i) chaos.push_back(randomVector(random));
-  EXPECT_LE(triangulated(chaos).size(), 9998U);
+  EXPECT_EQ(triangulated(chaos).size(), 9998U);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_LT(seconds.count(), 30.0);
 }

@@ -73,9 +73,10 @@ const std::vector<Triangulator::Corners>& Triangulator::triangulate(std::span<co
       clip(corner);
     }
   }
-  // Corners that coincide or are on a line got their triangles, too: what looks like a line on the plane of two
-  // axes need not be one.
-  std::erase_if(triangles_, [&](const Corners& t) { return !hasArea(polygon[t[0]], polygon[t[1]], polygon[t[2]]); });
+  // Corners that coincide or are on a line got their triangles, too: what looks like a line on the plane of
+  // two axes need not be one.
+  std::erase_if(triangles_,
+                [&](const Corners& t) { return !hasArea(polygon[t[0]], polygon[t[1]], polygon[t[2]]); });
   return triangles_;
 }
 
@@ -196,9 +197,9 @@ bool Triangulator::clipEars() {
   return found;
 }
 
-// What to clip where no ear is left: preferably a corner that coincides with a neighbour or is on a line with both,
-// which costs nothing. Otherwise sides cross, if only as seen along the axis, and triangles are bound to overlap.
-// Leaving one out instead would tear a hole into a mesh whose faces are not flat.
+// What to clip where no ear is left: preferably a corner that coincides with a neighbour or is on a line with
+// both, which costs nothing. Otherwise sides cross, if only as seen along the axis, and triangles are bound
+// to overlap. Leaving one out instead would tear a hole into a mesh whose faces are not flat.
 std::uint32_t Triangulator::leastBadCorner() const {
   std::optional<std::uint32_t> convex;
   for (std::uint32_t i = 0, corner = first_; i < left_; ++i, corner = next_[corner]) {

@@ -1,13 +1,13 @@
 #include "render/renderer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <string>
 
 #include "core/errors.hpp"
+#include "render/scene_buffers.hpp"
 #include "renderSpirv.spv.h"
 
 namespace lavaray {
@@ -17,11 +17,6 @@ namespace {
 constexpr std::uint64_t kMaxPiecePixels = std::uint64_t{1} << 20U;
 constexpr std::uint32_t kFirstPiecePixels = 1U << 14U;
 constexpr double kPieceSeconds = 0.1;
-
-template <typename Element>
-std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
-  return std::as_bytes(std::span(elements));
-}
 
 std::uint64_t pixelsOf(const Rectangle& area) {
   return static_cast<std::uint64_t>(area.x1 - area.x0) * static_cast<std::uint64_t>(area.y1 - area.y0);
@@ -41,17 +36,6 @@ gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSetti
   return constants;
 }
 
-std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSettings& settings) {
-  std::vector<std::uint32_t> values(gpu::kSpecCount);
-  values[gpu::kSpecHasSpheres] = scene.hasSpheres ? 1 : 0;
-  values[gpu::kSpecHasTriangles] = scene.hasTriangles ? 1 : 0;
-  values[gpu::kSpecHasCornerNormals] = scene.hasCornerNormals ? 1 : 0;
-  values[gpu::kSpecPlaneCount] = static_cast<std::uint32_t>(scene.planes.size());
-  values[gpu::kSpecLightCount] = static_cast<std::uint32_t>(scene.lights.size());
-  values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
-  return values;
-}
-
 }  // namespace
 
 Renderer::Renderer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
@@ -61,29 +45,11 @@ Renderer::Renderer(vulkan::Device& device, const GpuScene& scene, const Camera& 
       device.limits().storageBufferRange / sizeof(gpu::Pixel),
       std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
   capacity_ = static_cast<std::uint32_t>(std::min({kMaxPiecePixels, reachable, pixelsOf(settings.crop)}));
-  uploadScene(scene);
-  std::vector<const vulkan::Buffer*> bound;
-  for (const vulkan::Buffer& buffer : buffers_) bound.push_back(&buffer);
-  shader_.emplace(device_, renderSpirv, specialization(scene, settings), bound, sizeof constants_);
-}
-
-// The buffers in the order of their bindings.
-void Renderer::uploadScene(const GpuScene& scene) {
-  const auto upload = [&](const char* name, vulkan::BufferUse use, std::span<const std::byte> content) {
-    // Vulkan knows no empty buffer; the pipeline of a scene without such things never reads this one.
-    static constexpr std::array<std::byte, 64> kNothing{};
-    buffers_.push_back(vulkan::Buffer::uploaded(device_, name, use, content.empty() ? kNothing : content));
-  };
-  using enum vulkan::BufferUse;
-  upload("BVH nodes", kTexels, bytesOf(scene.nodes));
-  upload("primitives", kTexels, bytesOf(scene.primitives));
-  upload("triangle planes", kTexels, bytesOf(scene.trianglePlanes));
-  upload("corner normals", kTexels, bytesOf(scene.cornerNormals));
-  upload("planes", kStorage, bytesOf(scene.planes));
-  upload("lights", kStorage, bytesOf(scene.lights));
-  upload("materials", kStorage, bytesOf(scene.materials));
-  buffers_.push_back(vulkan::Buffer::shared(device_, "pixels", capacity_ * sizeof(gpu::Pixel)));
-  buffers_.push_back(vulkan::Buffer::shared(device_, "dispatch status", sizeof(gpu::DispatchStatus)));
+  buffers_ = uploadScene(device, scene);
+  buffers_.push_back(vulkan::Buffer::shared(device, "pixels", capacity_ * sizeof(gpu::Pixel)));
+  buffers_.push_back(vulkan::Buffer::shared(device, "dispatch status", sizeof(gpu::DispatchStatus)));
+  shader_.emplace(device, renderSpirv, specializationFor(scene, settings.countRays), buffers_,
+                  sizeof constants_);
 }
 
 std::size_t Renderer::deviceBytes() const {

@@ -39,7 +39,6 @@ class Renderer {
   [[nodiscard]] std::size_t deviceBytes() const;
 
  private:
-  void uploadScene(const GpuScene& scene);
   void renderPiece(std::uint64_t firstPixel, std::uint32_t pixelCount, RenderResult& result);
 
   vulkan::Device& device_;

@@ -14,18 +14,18 @@ VkDescriptorType descriptorType(const Buffer& buffer) {
 
 ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
                              std::span<const std::uint32_t> specialization,
-                             std::span<const Buffer* const> buffers, std::size_t pushConstantSize)
+                             std::span<const Buffer> buffers, std::size_t pushConstantSize)
     : device_(&device) {
   createSet(buffers);
   createPipeline(spirv, specialization, pushConstantSize);
 }
 
-void ComputeShader::createSet(std::span<const Buffer* const> buffers) {
+void ComputeShader::createSet(std::span<const Buffer> buffers) {
   const auto count = static_cast<std::uint32_t>(buffers.size());
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   std::vector<VkDescriptorPoolSize> sizes;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const VkDescriptorType type = descriptorType(*buffers[i]);
+    const VkDescriptorType type = descriptorType(buffers[i]);
     bindings.push_back({i, type, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
     sizes.push_back({type, 1});
   }
@@ -58,13 +58,13 @@ void ComputeShader::createSet(std::span<const Buffer* const> buffers) {
   std::vector<VkBufferView> views(count);
   std::vector<VkWriteDescriptorSet> writes(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    ranges[i] = {buffers[i]->get(), 0, VK_WHOLE_SIZE};
-    views[i] = buffers[i]->view();
+    ranges[i] = {buffers[i].get(), 0, VK_WHOLE_SIZE};
+    views[i] = buffers[i].view();
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     writes[i].dstSet = set_;
     writes[i].dstBinding = i;
     writes[i].descriptorCount = 1;
-    writes[i].descriptorType = descriptorType(*buffers[i]);
+    writes[i].descriptorType = descriptorType(buffers[i]);
     writes[i].pBufferInfo = &ranges[i];
     writes[i].pTexelBufferView = &views[i];
   }

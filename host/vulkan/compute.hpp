@@ -14,14 +14,14 @@ class ComputeShader {
  public:
   // `buffers` must outlive the shader; a binding's kind is its buffer's use.
   ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
-                std::span<const std::uint32_t> specialization, std::span<const Buffer* const> buffers,
+                std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
                 std::size_t pushConstantSize);
 
   // Runs `groups` work groups and waits until the host can read what they wrote.
   void dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants);
 
  private:
-  void createSet(std::span<const Buffer* const> buffers);
+  void createSet(std::span<const Buffer> buffers);
   void createPipeline(std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> specialization,
                       std::size_t pushConstantSize);
 

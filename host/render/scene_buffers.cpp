@@ -1,0 +1,47 @@
+#include "render/scene_buffers.hpp"
+
+#include <array>
+#include <cassert>
+
+namespace lavaray {
+namespace {
+
+template <typename Element>
+std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
+  return std::as_bytes(std::span(elements));
+}
+
+}  // namespace
+
+std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene) {
+  std::vector<vulkan::Buffer> buffers;
+  const auto upload = [&]([[maybe_unused]] gpu::uint binding, const char* name, vulkan::BufferUse use,
+                          std::span<const std::byte> content) {
+    assert(binding == buffers.size());
+    // Vulkan knows no empty buffer; the pipeline of a scene without such things never reads this one.
+    static constexpr std::array<std::byte, 64> kNothing{};
+    buffers.push_back(vulkan::Buffer::uploaded(device, name, use, content.empty() ? kNothing : content));
+  };
+  using enum vulkan::BufferUse;
+  upload(gpu::kBindingNodes, "BVH nodes", kTexels, bytesOf(scene.nodes));
+  upload(gpu::kBindingPrimitives, "spheres and triangles", kTexels, bytesOf(scene.primitives));
+  upload(gpu::kBindingTrianglePlanes, "triangle planes", kTexels, bytesOf(scene.trianglePlanes));
+  upload(gpu::kBindingCornerNormals, "corner normals", kTexels, bytesOf(scene.cornerNormals));
+  upload(gpu::kBindingPlanes, "planes", kStorage, bytesOf(scene.planes));
+  upload(gpu::kBindingLights, "lights", kStorage, bytesOf(scene.lights));
+  upload(gpu::kBindingMaterials, "materials", kStorage, bytesOf(scene.materials));
+  return buffers;
+}
+
+std::vector<std::uint32_t> specializationFor(const GpuScene& scene, bool countRays) {
+  std::vector<std::uint32_t> values(gpu::kSpecCount);
+  values[gpu::kSpecHasSpheres] = scene.hasSpheres ? 1 : 0;
+  values[gpu::kSpecHasTriangles] = scene.hasTriangles ? 1 : 0;
+  values[gpu::kSpecHasCornerNormals] = scene.hasCornerNormals ? 1 : 0;
+  values[gpu::kSpecPlaneCount] = static_cast<std::uint32_t>(scene.planes.size());
+  values[gpu::kSpecLightCount] = static_cast<std::uint32_t>(scene.lights.size());
+  values[gpu::kSpecCountRays] = countRays ? 1 : 0;
+  return values;
+}
+
+}  // namespace lavaray

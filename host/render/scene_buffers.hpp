@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/flatten.hpp"
+#include "vulkan/buffer.hpp"
+
+namespace lavaray {
+
+// The scene's arrays on the device, in the order of their bindings (gpu::kBindingNodes and on); a shader's
+// own buffers follow. Throws Error(kDevice) where an array is larger than the device lets a shader reach.
+std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene);
+
+// The specialization constants for what the scene has, by gpu::kSpec...
+std::vector<std::uint32_t> specializationFor(const GpuScene& scene, bool countRays);
+
+}  // namespace lavaray

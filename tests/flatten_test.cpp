@@ -1,0 +1,119 @@
+#include "core/flatten.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace lavaray {
+namespace {
+
+Scene sceneWithMaterials(std::size_t count) {
+  Scene scene;
+  scene.materials.resize(count);
+  return scene;
+}
+
+TEST(Flatten, IsEmptyForAnEmptyScene) {
+  const GpuScene flat = flatten(Scene{}, 1);
+  EXPECT_TRUE(flat.nodes.empty());
+  EXPECT_TRUE(flat.primitives.empty());
+  EXPECT_FALSE(flat.hasSpheres || flat.hasTriangles || flat.hasCornerNormals);
+}
+
+TEST(Flatten, MakesALeafTheRootOfASinglePrimitive) {
+  Scene scene = sceneWithMaterials(1);
+  scene.spheres.push_back({{0, 0, -5}, 1.0, 0});
+  const GpuScene flat = flatten(scene, 1);
+  EXPECT_TRUE(flat.nodes.empty());
+  EXPECT_EQ(flat.rootReference, 1U << gpu::kLeafShift);
+  EXPECT_TRUE(flat.trianglePlanes.empty());
+}
+
+// Camera and scene are 1e8 away from the origin, where a float32 has a spacing of 8.
+TEST(Flatten, SubtractsTheCameraInDoublePrecision) {
+  const glm::dvec3 far(1e8, -1e8, 1e8);
+  Scene scene = sceneWithMaterials(2);
+  scene.camera.position = far;
+  scene.spheres.push_back({far + glm::dvec3(0.125, 0.25, -5.5), 1.0, 0});
+  scene.planes.push_back({{0, 2, 0}, far - glm::dvec3(0, 1.5, 0), 1});
+  scene.lights.push_back({far + glm::dvec3(1, 2, 3)});
+  const GpuScene flat = flatten(scene, 1);
+  EXPECT_EQ(flat.primitives[0].a, glm::vec3(0.125F, 0.25F, -5.5F));
+  EXPECT_EQ(flat.planes[0].normal, glm::vec3(0, 1, 0));
+  EXPECT_EQ(flat.planes[0].distance, -1.5F);
+  EXPECT_EQ(flat.lights[0].position, glm::vec3(1, 2, 3));
+}
+
+TEST(Flatten, NumbersPrimitivesInTheOrderOfTheFile) {
+  Scene scene = sceneWithMaterials(4);
+  scene.meshes.resize(1);
+  scene.meshes[0].positions = {{0, 0, -9}, {1, 0, -9}, {0, 1, -9}, {1, 1, -9}};
+  scene.meshes[0].triangles = {{{0, 1, 2}}, {{1, 3, 2}}};
+  scene.spheres = {{{0, 0, -5}, 1.0, 0}, {{9, 0, -5}, 1.0, 3}};
+  scene.meshObjects = {{0, 1}};
+  scene.triangles = {{{{{0, 0, -3}, {1, 0, -3}, {0, 1, -3}}}, 2}};
+  const GpuScene flat = flatten(scene, 1);
+  std::vector<std::uint32_t> objectOfOrder(5);
+  for (const gpu::Primitive& primitive : flat.primitives) objectOfOrder.at(primitive.order) = primitive.object;
+  EXPECT_EQ(objectOfOrder, (std::vector<std::uint32_t>{0, 1, 1, 2, 3}));
+  EXPECT_TRUE(flat.hasSpheres && flat.hasTriangles);
+  EXPECT_EQ(flat.trianglePlanes.size(), flat.primitives.size());
+}
+
+TEST(Flatten, ReachesEveryPrimitiveOnce) {
+  Scene scene = sceneWithMaterials(1000);
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    scene.spheres.push_back({{i % 10, i / 10 % 10, -1.0 - i / 100}, 0.3, i});
+  }
+  const GpuScene flat = flatten(scene, 2);
+  std::multiset<std::uint32_t> reached;
+  std::vector<std::uint32_t> pending{flat.rootReference};
+  while (!pending.empty()) {
+    const std::uint32_t reference = pending.back();
+    pending.pop_back();
+    if (reference <= gpu::kMaxReference) {
+      pending.push_back(flat.nodes.at(reference).child0);
+      pending.push_back(flat.nodes.at(reference).child1);
+      continue;
+    }
+    const std::uint32_t first = reference & gpu::kMaxReference;
+    for (std::uint32_t i = 0; i < reference >> gpu::kLeafShift; ++i) {
+      reached.insert(flat.primitives.at(first + i).object);
+    }
+  }
+  EXPECT_EQ(reached.size(), 1000U);
+  EXPECT_EQ(std::set<std::uint32_t>(reached.begin(), reached.end()).size(), 1000U);
+}
+
+TEST(Flatten, KeepsTheNormalOfASliverAndOfAHugeTriangle) {
+  Scene scene = sceneWithMaterials(2);
+  scene.triangles.push_back({{{{0, 0, -1}, {1, 0, -1}, {0.5, 1e-12, -1}}}, 0});
+  scene.triangles.push_back({{{{-1e12, -3, 1e12}, {1e12, -3, 1e12}, {0, -3, -1e12}}}, 1});
+  const GpuScene flat = flatten(scene, 1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const glm::vec3 normal = flat.trianglePlanes[i].normal;
+    EXPECT_EQ(normal, flat.primitives[i].object == 0 ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0));
+    EXPECT_EQ(flat.trianglePlanes[i].distance, flat.primitives[i].object == 0 ? -1.0F : -3.0F);
+  }
+}
+
+TEST(Flatten, DropsAMillionDuplicatesButKeepsWhatAPixelCanShow) {
+  Scene scene = sceneWithMaterials(1000000);
+  const Triangle triangle{{{{0, 0, -3}, {1, 0, -3}, {0, 1, -3}}}, 0};
+  for (std::uint32_t i = 0; i < 500000; ++i) {
+    scene.triangles.push_back(triangle);
+    std::rotate(scene.triangles.back().vertices.begin(), scene.triangles.back().vertices.begin() + i % 3,
+                scene.triangles.back().vertices.end());
+    scene.triangles.back().object = i;
+  }
+  for (std::uint32_t i = 0; i < 500000; ++i) scene.spheres.push_back({{5, 5, -5}, 1.0, 500000 + i});
+  const GpuScene flat = flatten(scene, 2);
+  EXPECT_EQ(flat.droppedDuplicates, 999997U);
+  std::set<std::uint32_t> objects;
+  for (const gpu::Primitive& primitive : flat.primitives) objects.insert(primitive.object);
+  EXPECT_EQ(objects, (std::set<std::uint32_t>{0, 500000, 500001}));
+}
+
+}  // namespace
+}  // namespace lavaray

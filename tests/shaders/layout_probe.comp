@@ -1,0 +1,56 @@
+// Reads every struct that host and shaders share, field by field, and writes the fields out one after the
+// other: if the layouts agree, that is what the host has in memory.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "probe.h"
+#include "scene_data.glsl"
+
+layout(local_size_x = 1) in;
+layout(std430, set = 0, binding = kBindingProbeIn) buffer Written {
+  Pixel pixels[2];
+  DispatchStatus statuses[2];
+};
+layout(std430, set = 0, binding = kBindingProbeOut) buffer Words { uint words[]; };
+layout(push_constant) uniform PushConstants { DispatchConstants constants; };
+
+void put(uint value, inout uint end) { words[end++] = value; }
+void put(float value, inout uint end) { put(floatBitsToUint(value), end); }
+void put(vec2 value, inout uint end) {
+  put(value.x, end);
+  put(value.y, end);
+}
+void put(vec3 value, inout uint end) {
+  put(value.xy, end);
+  put(value.z, end);
+}
+
+// The second element of each array, so that the size of one is proved too.
+void main() {
+  uint end = 0u;
+  const BvhNode node = fetchNode(1u);
+  put(node.lower0, end); put(node.child0, end); put(node.upper0, end); put(node.child1, end);
+  put(node.lower1, end); put(node.padding0, end); put(node.upper1, end); put(node.padding1, end);
+  const Primitive primitive = fetchPrimitive(1u);
+  put(primitive.a, end); put(primitive.kind, end); put(primitive.b, end); put(primitive.object, end);
+  put(primitive.c, end); put(primitive.order, end);
+  const TrianglePlane trianglePlane = fetchTrianglePlane(1u);
+  put(trianglePlane.normal, end); put(trianglePlane.distance, end);
+  const CornerNormal cornerNormal = fetchCornerNormal(1u);
+  put(cornerNormal.normal, end); put(cornerNormal.padding, end);
+  const Plane plane = planes[1];
+  put(plane.normal, end); put(plane.distance, end); put(plane.object, end);
+  put(plane.padding0, end); put(plane.padding1, end); put(plane.padding2, end);
+  const Light light = lights[1];
+  put(light.position, end); put(light.padding0, end); put(light.ambient, end); put(light.padding1, end);
+  put(light.diffuse, end); put(light.padding2, end); put(light.specular, end); put(light.padding3, end);
+  const Material material = materials[1];
+  put(material.ambient, end); put(material.shininess, end); put(material.diffuse, end);
+  put(material.padding0, end); put(material.specular, end); put(material.padding1, end);
+  put(constants.pixelSize, end); put(constants.halfImage, end); put(constants.focalLength, end);
+  put(constants.cropX, end); put(constants.cropY, end); put(constants.cropWidth, end);
+  put(constants.firstPixel, end); put(constants.pixelCount, end); put(constants.resume, end);
+  put(constants.rootReference, end);
+  pixels[1] = Pixel(vec3(1.0, 2.0, 3.0), 4u);
+  statuses[1] = DispatchStatus(5u, 6u, 7u, 8u);
+}
