@@ -97,7 +97,7 @@ struct TrianglePlane {
 LAVARAY_SIZE(TrianglePlane, 16);
 
 struct CornerNormal {
-  vec3 normal;  // unit length, or zero where the file's normal is zero
+  vec3 normal;  // as long as in the file, but for a factor that the three of a triangle share
   uint padding;
 };
 LAVARAY_SIZE(CornerNormal, 16);

@@ -6,7 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "core/primitives.hpp"
-#include "core/unit.hpp"
+#include "core/vector.hpp"
 
 namespace lavaray {
 namespace {

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "core/errors.hpp"
-#include "core/unit.hpp"
+#include "core/vector.hpp"
 
 namespace lavaray {
 namespace {
@@ -59,12 +59,20 @@ class Collector {
       gpu::uint firstCornerNormal = gpu::kNoCornerNormals;
       if (triangle.normals[0] != kNoNormal) {
         firstCornerNormal = static_cast<gpu::uint>(result_.cornerNormals.size());
-        for (const std::uint32_t n : triangle.normals) {
-          result_.cornerNormals.push_back({unitOrZero(mesh.normals[n]), 0});
-        }
+        addCornerNormals(mesh, triangle);
       }
       const auto [a, b, c] = triangle.positions;
       addTriangle({mesh.positions[a], mesh.positions[b], mesh.positions[c]}, object, firstCornerNormal);
+    }
+  }
+
+  // As long as the file has them in relation to one another, since they are interpolated like that; scaled
+  // together into the range where float32 keeps their direction.
+  void addCornerNormals(const Mesh& mesh, const MeshTriangle& triangle) {
+    double largest = 0.0;
+    for (const std::uint32_t n : triangle.normals) largest = std::max(largest, largestComponent(mesh.normals[n]));
+    for (const std::uint32_t n : triangle.normals) {
+      result_.cornerNormals.push_back({largest > 0.0 ? mesh.normals[n] / largest : glm::dvec3(0.0), 0});
     }
   }
 

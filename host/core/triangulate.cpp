@@ -8,12 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/vector.hpp"
+
 namespace lavaray {
 namespace {
-
-double largestComponent(const glm::dvec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 // The vector times the power of two that brings its largest component into [0.5, 1), so that products of two
 // components neither underflow nor overflow. The factor changes no digit.

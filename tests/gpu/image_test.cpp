@@ -1,0 +1,183 @@
+// Whole images from the device: against the double-precision oracle, and against themselves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <random>
+
+#include "core/errors.hpp"
+#include "core/scene_reader.hpp"
+#include "gpu/render_scene.hpp"
+#include "image_compare.hpp"
+#include "oracle/oracle.hpp"
+
+namespace lavaray {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> sceneNames() {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(LAVARAY_SCENES_DIR)) {
+    if (entry.path().extension() == ".txt") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Scene readNamed(const std::string& name) { return readScene(fs::path(LAVARAY_SCENES_DIR) / (name + ".txt")); }
+
+// The oracle without mirrors, which this renderer does not show yet.
+oracle::Options oracleOptions(const ImageSize& size) {
+  oracle::Options options;
+  options.size = size;
+  options.maxDepth = 0;
+  return options;
+}
+
+void expectEqualsOracle(const Scene& scene, const ImageSize& size) {
+  const RenderResult rendered = renderScene(scene, size);
+  const Comparison comparison = compare(rendered.image.rgb, oracle::render(scene, oracleOptions(size)));
+  EXPECT_EQ(comparison.wrong, 0) << describe(comparison);
+  EXPECT_LT(comparison.uncertainShare(), 0.5) << describe(comparison);
+  std::cout << describe(comparison) << '\n';
+}
+
+bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+class SceneImage : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(, SceneImage, testing::ValuesIn(sceneNames()), [](const auto& test) {
+  std::string name = test.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(SceneImage, EqualsTheOracleOffTheSilhouettes) {
+  const Scene scene = readNamed(GetParam());
+  expectEqualsOracle(scene, reducedSize(scene.camera, 200));
+}
+
+TEST_P(SceneImage, IsTheSameTwiceAndInParts) {
+  const Scene scene = readNamed(GetParam());
+  const ImageSize size = reducedSize(scene.camera, 300);
+  const Image whole = renderScene(scene, size).image;
+  EXPECT_TRUE(sameBits(whole.rgb, renderScene(scene, size).image.rgb)) << "rendered twice";
+  const int x = size.width / 3;
+  const int y = size.height / 2;
+  for (const Rectangle& part : {Rectangle{0, 0, x, y}, Rectangle{x, y, size.width, size.height},
+                                Rectangle{x, 0, x + 1, size.height}, Rectangle{0, y, size.width, y + 1}}) {
+    EXPECT_TRUE(sameBits(crop(whole, part).rgb, renderScene(scene, size, part).image.rgb))
+        << "crop " << part.x0 << ',' << part.y0 << ',' << part.x1 << ',' << part.y1;
+  }
+}
+
+Scene sphereOnPlane(int lightCount) {
+  Scene scene;
+  scene.camera = {{0, 1, 6}, 45.0, 120.0, 1.2};
+  scene.materials = {{{0.1, 0.1, 0.1}, {0.6, 0.5, 0.4}, {0.3, 0.3, 0.3}, 10.0, {}},
+                     {{0.1, 0.1, 0.2}, {0.5, 0.5, 0.6}, {0.0, 0.0, 0.0}, 1.0, {}}};
+  scene.spheres = {{{0, 1, 0}, 1.0, 0}};
+  scene.planes = {{{0, 1, 0}, {0, 0, 0}, 1}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-5.0, 5.0);
+  for (int i = 0; i < lightCount; ++i) {
+    const glm::dvec3 color(0.9 / lightCount);
+    scene.lights.push_back({{coordinate(random), 6.0 + coordinate(random), coordinate(random)},
+                            color * 0.1, color, color, 0.0});
+  }
+  return scene;
+}
+
+// More lights than a dispatch handles, so that every pixel takes several.
+TEST(Image, EqualsTheOracleWithManyLights) {
+  const Scene scene = sphereOnPlane(300);
+  const ImageSize size = reducedSize(scene.camera, 60);
+  expectEqualsOracle(scene, size);
+  EXPECT_GE(renderScene(scene, size).dispatches, 300U / gpu::kMaxLightsPerDispatch + 1);
+}
+
+// So many shadow rays through a tree that an invocation's loops are used up before its lights are.
+TEST(Image, IsRightWhereTheDeviceEndsTheLoops) {
+  Scene scene = sphereOnPlane(20);
+  // Layers between the lights and the plane: every shadow ray enters each layer's box and misses its triangle.
+  for (int i = 0; i < 3000; ++i) {
+    const double y = 0.9 + 0.00003 * i;
+    const auto object = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back(scene.materials[1]);
+    scene.triangles.push_back({{{{-100, y, -20}, {20, y, 100}, {19.9, y, 100}}}, object});
+  }
+  const ImageSize size{24, 20};
+  expectEqualsOracle(scene, size);
+}
+
+TEST(Image, ShowsBackgroundForAnEmptyScene) {
+  Scene scene;
+  scene.camera = {{0, 0, 0}, 60.0, 20.0, 1.0};
+  const Image image = renderScene(scene).image;
+  EXPECT_TRUE(std::all_of(image.rgb.begin(), image.rgb.end(), [](float value) { return value == 0.0F; }));
+}
+
+TEST(Image, ShowsAmbientColourOnlyWithoutLights) {
+  Scene scene = sphereOnPlane(0);
+  const ImageSize size = reducedSize(scene.camera, 40);
+  const Image image = renderScene(scene, size).image;
+  const std::size_t center = 3 * (static_cast<std::size_t>(size.width) * (size.height / 2) + size.width / 2);
+  EXPECT_EQ(image.rgb[center], 0.1F);
+}
+
+TEST(Image, HandlesLightsInSurfacesAndCamerasInEverything) {
+  Scene scene = sphereOnPlane(0);
+  const glm::dvec3 white(0.3);
+  scene.lights.push_back({{0, 0, 3}, white, white, white, 0.0});        // in the plane
+  scene.lights.push_back({{0, 2, 0}, white, white, white, 0.0});        // on the sphere
+  scene.lights.push_back({{0, 1, 0}, white, white, white, 0.0});        // in its centre
+  scene.lights.push_back({{0, 1, 6}, white, white, white, 0.0});        // in the camera
+  for (const glm::dvec3& position : {glm::dvec3(0, 1, 6), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 4), glm::dvec3(0, 1, 1)}) {
+    scene.camera.position = position;
+    const Image image = renderScene(scene, reducedSize(scene.camera, 60)).image;
+    EXPECT_TRUE(std::all_of(image.rgb.begin(), image.rgb.end(), [](float value) { return value >= 0.0F && value <= 1.0F; }));
+    expectEqualsOracle(scene, reducedSize(scene.camera, 60));
+  }
+}
+
+// Scaling by a power of two changes no digit of any intermediate result.
+TEST(Image, IsTheSameBitsAtAnyScale) {
+  for (const std::string& name : sceneNames()) {
+    const Scene scene = readNamed(name);
+    const ImageSize size = reducedSize(scene.camera, 100);
+    const Image image = renderScene(scene, size).image;
+    for (const int exponent : {-20, -7, 20}) {
+      const double scale = std::ldexp(1.0, exponent);
+      Scene scaled = scene;
+      scaled.camera.position *= scale;
+      for (Plane& plane : scaled.planes) plane.point *= scale;
+      for (Sphere& sphere : scaled.spheres) sphere = {sphere.center * scale, sphere.radius * scale, sphere.object};
+      for (Light& light : scaled.lights) light.position *= scale;
+      for (Triangle& triangle : scaled.triangles) {
+        for (glm::dvec3& vertex : triangle.vertices) vertex *= scale;
+      }
+      for (Mesh& mesh : scaled.meshes) {
+        for (glm::dvec3& position : mesh.positions) position *= scale;
+      }
+      EXPECT_TRUE(sameBits(image.rgb, renderScene(scaled, size).image.rgb)) << name << " times 2^" << exponent;
+    }
+  }
+}
+
+TEST(Image, Of8192By8192IsTheSameAsItsParts) {
+  const Scene scene = sphereOnPlane(1);
+  const ImageSize size{8192, 8192};
+  const Image whole = renderScene(scene, size).image;
+  const Rectangle part{4000, 8100, 4200, 8192};
+  EXPECT_TRUE(sameBits(crop(whole, part).rgb, renderScene(scene, size, part).image.rgb));
+  EXPECT_GT(whole.rgb.back(), 0.0F);
+}
+
+}  // namespace
+}  // namespace lavaray

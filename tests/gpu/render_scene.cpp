@@ -1,0 +1,22 @@
+#include "gpu/render_scene.hpp"
+
+#include <algorithm>
+
+#include "gpu/test_device.hpp"
+
+namespace lavaray {
+
+RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size, std::optional<Rectangle> crop) {
+  const ImageSize whole = size.value_or(imageSize(scene.camera).value());
+  const RenderSettings settings{whole, crop.value_or(Rectangle{0, 0, whole.width, whole.height}), true};
+  const std::atomic<bool> neverStop{false};
+  return Renderer(testDevice(), flatten(scene, 2), scene.camera, settings).render(neverStop);
+}
+
+ImageSize reducedSize(const Camera& camera, int longest) {
+  const ImageSize full = imageSize(camera).value();
+  const double scale = std::min(1.0, static_cast<double>(longest) / std::max(full.width, full.height));
+  return {std::max(1, static_cast<int>(full.width * scale)), std::max(1, static_cast<int>(full.height * scale))};
+}
+
+}  // namespace lavaray

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "core/camera.hpp"
+#include "core/scene.hpp"
+#include "image/image.hpp"
+#include "render/renderer.hpp"
+
+namespace lavaray {
+
+// The scene's image, or a part of it, from the test device; `size` is the camera's where it is not given.
+RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size = {},
+                         std::optional<Rectangle> crop = {});
+
+// The camera's size, reduced so that no side is longer than `longest`.
+ImageSize reducedSize(const Camera& camera, int longest);
+
+}  // namespace lavaray
