@@ -13,8 +13,8 @@
 namespace lavaray {
 namespace {
 
-// Walks the whole tree: every primitive stands in exactly one leaf, no leaf is too large, no path too long, and
-// every box holds what is below it, tightly.
+// Walks the whole tree: every primitive stands in exactly one leaf, no leaf is too large, no path too long,
+// and every box holds what is below it, tightly.
 void expectSound(const Bvh& bvh, std::span<const Box> boxes) {
   std::vector<int> seen(boxes.size(), 0);
   const std::function<Box(std::uint32_t, unsigned)> visit = [&](std::uint32_t index, unsigned depth) {
@@ -127,8 +127,8 @@ TEST(Bvh, HandlesFarAndHugeAndTinyCoordinates) {
   expectSound(buildBvh(tiny, 2), tiny);
 }
 
-// Each box is half as far out as the last, so that every SAH split takes a few off the end: the worst case for
-// the depth.
+// Each box is half as far out as the last, so that every SAH split takes a few off the end: the worst case
+// for the depth.
 TEST(Bvh, BoundsTheDepthOfAnExponentialChain) {
   std::vector<Box> boxes;
   float position = 1e15F;
@@ -174,7 +174,8 @@ double fullSweepCost(std::vector<Box> boxes) {
     return a.doubledCentroid()[bestAxis] < b.doubledCentroid()[bestAxis];
   });
   const auto middle = boxes.begin() + static_cast<std::ptrdiff_t>(bestCount);
-  return double{halfArea(all)} + fullSweepCost({boxes.begin(), middle}) + fullSweepCost({middle, boxes.end()});
+  return double{halfArea(all)} + fullSweepCost({boxes.begin(), middle}) +
+         fullSweepCost({middle, boxes.end()});
 }
 
 TEST(Bvh, CostsAtMostFivePercentMoreThanAFullSweep) {

@@ -55,7 +55,8 @@ TEST(Flatten, NumbersPrimitivesInTheOrderOfTheFile) {
   scene.triangles = {{{{{0, 0, -3}, {1, 0, -3}, {0, 1, -3}}}, 2}};
   const GpuScene flat = flatten(scene, 1);
   std::vector<std::uint32_t> objectOfOrder(5);
-  for (const gpu::Primitive& primitive : flat.primitives) objectOfOrder.at(primitive.order) = primitive.object;
+  for (const gpu::Primitive& primitive : flat.primitives)
+    objectOfOrder.at(primitive.order) = primitive.object;
   EXPECT_EQ(objectOfOrder, (std::vector<std::uint32_t>{0, 1, 1, 2, 3}));
   EXPECT_TRUE(flat.hasSpheres && flat.hasTriangles);
   EXPECT_EQ(flat.trianglePlanes.size(), flat.primitives.size());

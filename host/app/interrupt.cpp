@@ -8,7 +8,9 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
-void onSignal(int /*signal*/) { interrupted = true; }
+void onSignal(int /*signal*/) {
+  interrupted = true;
+}
 
 }  // namespace
 

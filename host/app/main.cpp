@@ -1,3 +1,4 @@
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -27,7 +28,8 @@ class Output {
   void write(const Image& image) {
     writeImage(image, format_, file_ ? file_->stream() : stdout);
     if (file_) file_->commit();
-    if (!file_ && std::fflush(stdout) != 0) throw Error(ExitCode::kOutput, "the image cannot be written to stdout");
+    if (!file_ && std::fflush(stdout) != 0)
+      throw Error(ExitCode::kOutput, "the image cannot be written to stdout");
   }
 
  private:
@@ -67,7 +69,8 @@ ExitCode render(const Options& options, const Scene& scene, StepTimes& times) {
   }
   if (!result.complete) {
     const std::string name = options.output == "-" ? "stdout" : options.output;
-    throw Error(ExitCode::kInterrupted, "interrupted; " + name + " holds what was rendered, the rest is black");
+    throw Error(ExitCode::kInterrupted,
+                "interrupted; " + name + " holds what was rendered, the rest is black");
   }
   if (options.verbose) std::cerr << "wrote " << options.output << '\n';
   return instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
@@ -96,6 +99,7 @@ int main(int argc, char** argv) {
   using lavaray::ExitCode;
   try {
     const auto options = lavaray::parseOptions(argc, argv);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit shall be a write error, not the end
     return static_cast<int>(options ? lavaray::run(*options) : ExitCode::kSuccess);
   } catch (const lavaray::Error& error) {
     std::cerr << "lavaray: " << error.what() << '\n';

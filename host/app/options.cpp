@@ -23,7 +23,8 @@ void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
   app.add_option("--width", options.width, "Width in pixels of the same view; without --height by its aspect")
       ->type_name("W")
       ->check(side);
-  app.add_option("--height", options.height, "Height in pixels of the same view; without --width by its aspect")
+  app.add_option("--height", options.height,
+                 "Height in pixels of the same view; without --width by its aspect")
       ->type_name("H")
       ->check(side);
   app.add_option("--crop", crop, "Render only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top")
@@ -31,18 +32,21 @@ void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
       ->delimiter(',')
       ->expected(4);
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
-  app.add_option("--max-depth", options.maxDepth, "Mirror bounces, 0 to 1000 (this version renders no mirrors)")
+  app.add_option("--max-depth", options.maxDepth,
+                 "Mirror bounces, 0 to 1000 (this version renders no mirrors)")
       ->type_name("N")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
 }
 
 void addOtherOptions(CLI::App& app, Options& options) {
-  app.add_option("--device", options.device,
-                 "Vulkan device, by number or part of its name. Default: the best one (discrete, integrated, CPU)")
+  app.add_option(
+         "--device", options.device,
+         "Vulkan device, by number or part of its name. Default: the best one (discrete, integrated, CPU)")
       ->type_name("N or NAME");
   app.add_flag("--list-devices", options.listDevices, "List the Vulkan devices and exit");
-  app.add_flag("--check", options.check, "Read the scene and its meshes, say what is in them, render nothing");
+  app.add_flag("--check", options.check,
+               "Read the scene and its meshes, say what is in them, render nothing");
   app.add_flag("--stats", options.stats, "Say where time and memory went, and what was done");
   app.add_flag("--validate", options.validate,
                "Run under the Khronos validation layer; its messages make the exit code 1");
@@ -50,7 +54,9 @@ void addOtherOptions(CLI::App& app, Options& options) {
   app.add_flag("-v,--verbose", options.verbose, "Say what is done")->excludes(quiet);
 }
 
-std::string defaultOutput(const std::filesystem::path& scene) { return scene.stem().string() + ".bmp"; }
+std::string defaultOutput(const std::filesystem::path& scene) {
+  return scene.stem().string() + ".bmp";
+}
 
 void checkOutput(const std::string& output) {
   if (output == "-" || imageFormat(output)) return;
@@ -65,8 +71,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   std::vector<int> crop;
   CLI::App app("Renders a scene file with Vulkan.", "lavaray");
   app.set_version_flag("--version", std::string("lavaray ") + kVersion);
-  app.footer("Exit codes: 0 fine, 1 internal error, 2 usage, 3 scene or mesh, 4 no usable device,\n"
-             "5 output not written, 130 interrupted.");
+  app.footer(
+      "Exit codes: 0 fine, 1 internal error, 2 usage, 3 scene or mesh, 4 no usable device,\n"
+      "5 output not written, 130 interrupted.");
   app.add_option("SCENE", options.scene, "Scene file to render");
   addRenderOptions(app, options, crop);
   addOtherOptions(app, options);
@@ -79,7 +86,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray --help lists the options");
   }
   if (options.listDevices) return options;
-  if (options.scene.empty()) throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
+  if (options.scene.empty())
+    throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
   if (options.output.empty()) options.output = defaultOutput(options.scene);
   checkOutput(options.output);
   if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};
@@ -107,8 +115,9 @@ Rectangle outputCrop(const Options& options, const ImageSize& size) {
   const bool inside = crop.x0 >= 0 && crop.x0 < crop.x1 && crop.x1 <= size.width &&  //
                       crop.y0 >= 0 && crop.y0 < crop.y1 && crop.y1 <= size.height;
   if (!inside) {
-    throw Error(ExitCode::kUsage, "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
-                                      " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
+    throw Error(ExitCode::kUsage,
+                "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
+                    " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
   }
   return crop;
 }

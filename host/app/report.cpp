@@ -19,7 +19,9 @@ std::size_t meshTriangles(const Scene& scene) {
   return count;
 }
 
-double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1U << 20U); }
+double mebibytes(std::size_t bytes) {
+  return static_cast<double>(bytes) / (1U << 20U);
+}
 
 long peakMemoryKilobytes() {
   rusage usage{};
@@ -41,16 +43,16 @@ void StepTimes::print(std::ostream& out) const {
     out << "  " << std::left << std::setw(18) << name << std::right << std::setw(9) << milliseconds(duration)
         << '\n';
   }
-  out << "  " << std::left << std::setw(18) << "all" << std::right << std::setw(9) << milliseconds(last_ - begin_)
-      << '\n';
+  out << "  " << std::left << std::setw(18) << "all" << std::right << std::setw(9)
+      << milliseconds(last_ - begin_) << '\n';
 }
 
 void printScene(std::ostream& out, const Scene& scene) {
   const ImageSize size = imageSize(scene.camera).value();
   out << "scene " << scene.file.string() << "\n  image           " << size.width << " x " << size.height
       << "\n  planes          " << scene.planes.size() << "\n  spheres         " << scene.spheres.size()
-      << "\n  triangles       " << scene.triangles.size() << "\n  meshes          " << scene.meshObjects.size()
-      << " with " << meshTriangles(scene) << " triangles"
+      << "\n  triangles       " << scene.triangles.size() << "\n  meshes          "
+      << scene.meshObjects.size() << " with " << meshTriangles(scene) << " triangles"
       << "\n  lights          " << scene.lights.size() << '\n';
   for (const Mesh& mesh : scene.meshes) {
     out << "  mesh file       " << mesh.file.string() << ": " << mesh.triangles.size() << " triangles, "
@@ -72,12 +74,13 @@ void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuS
   const BvhQuality& bvh = gpuScene.bvhQuality;
   out << std::fixed << std::setprecision(2) << "bvh\n  primitives      " << gpuScene.primitives.size() << " ("
       << gpuScene.droppedDuplicates << " duplicates dropped)\n  inner nodes     " << bvh.innerNodes
-      << "\n  leaves          " << bvh.leaves << " of " << bvh.leafSize << " primitives in the mean\n  depth           "
-      << bvh.depth << " of at most " << gpu::kMaxBvhDepth << "\n  SAH cost        " << bvh.sahCost
-      << "\nrays\n  camera          " << result.cameraRays << "\n  shadow          " << result.shadowRays
-      << "\ndevice\n  name            " << device.description().name << "\n  driver          "
-      << device.description().driver << "\n  buffers         " << mebibytes(renderer.deviceBytes())
-      << " MiB\n  dispatches      " << result.dispatches << "\nmemory\n  process, peak   "
+      << "\n  leaves          " << bvh.leaves << " of " << bvh.leafSize
+      << " primitives in the mean\n  depth           " << bvh.depth << " of at most " << gpu::kMaxBvhDepth
+      << "\n  SAH cost        " << bvh.sahCost << "\nrays\n  camera          " << result.cameraRays
+      << "\n  shadow          " << result.shadowRays << "\ndevice\n  name            "
+      << device.description().name << "\n  driver          " << device.description().driver
+      << "\n  buffers         " << mebibytes(renderer.deviceBytes()) << " MiB\n  dispatches      "
+      << result.dispatches << "\nmemory\n  process, peak   "
       << static_cast<double>(peakMemoryKilobytes()) / 1024.0 << " MiB\n";
 }
 

@@ -126,8 +126,8 @@ class Builder {
     }
 
     const bool depthAllowsSah = range.depth + levelsNeeded(range.count) < gpu::kMaxBvhDepth;
-    const std::uint32_t leftCount =
-        split && depthAllowsSah ? partition(range, mapping, *split) : partitionAtMedian(range, bounds.centroids);
+    const std::uint32_t leftCount = split && depthAllowsSah ? partition(range, mapping, *split)
+                                                            : partitionAtMedian(range, bounds.centroids);
     const Range left{range.node + 1, range.first, leftCount, range.depth + 1};
     const Range right{range.node + 2 * leftCount, range.first + leftCount, range.count - leftCount,
                       range.depth + 1};
@@ -231,9 +231,9 @@ class Builder {
       return coincident ? halfArea(boxes_[i]) : boxes_[i].doubledCentroid()[axis];
     };
     const auto begin = bvh_.order.begin() + range.first;
-    std::nth_element(begin, begin + range.count / 2, begin + range.count, [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(key(a), a) < std::pair(key(b), b);
-    });
+    std::nth_element(
+        begin, begin + range.count / 2, begin + range.count,
+        [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
     return range.count / 2;
   }
 

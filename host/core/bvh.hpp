@@ -34,9 +34,9 @@ Bvh buildBvh(std::span<const Box> boxes, unsigned threads);
 struct BvhQuality {
   std::size_t innerNodes = 0;
   std::size_t leaves = 0;
-  unsigned depth = 0;      // inner nodes on the longest path
-  double sahCost = 0.0;    // expected node visits + primitive tests of a random ray that hits the root's box
-  double leafSize = 0.0;   // mean
+  unsigned depth = 0;     // inner nodes on the longest path
+  double sahCost = 0.0;   // expected node visits + primitive tests of a random ray that hits the root's box
+  double leafSize = 0.0;  // mean
 };
 
 BvhQuality measure(const Bvh& bvh);

@@ -104,8 +104,8 @@ GpuScene flatten(const Scene& scene, unsigned threads) {
         {light.position - origin, 0.0F, light.ambient, 0.0F, light.diffuse, 0.0F, light.specular, 0.0F});
   }
   for (const Material& material : scene.materials) {
-    result.materials.push_back({material.ambient, static_cast<float>(material.shininess), material.diffuse, 0.0F,
-                                material.specular, 0.0F});
+    result.materials.push_back({material.ambient, static_cast<float>(material.shininess), material.diffuse,
+                                0.0F, material.specular, 0.0F});
   }
   return result;
 }

@@ -8,10 +8,12 @@
 
 namespace lavaray {
 
-inline unsigned hardwareThreads() { return std::max(1U, std::thread::hardware_concurrency()); }
+inline unsigned hardwareThreads() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
 
-// Calls work(i) for each i in [0, count) on up to `threads` threads, the caller's among them, and returns when
-// all are done. `work` must not throw, and its calls must not depend on one another.
+// Calls work(i) for each i in [0, count) on up to `threads` threads, the caller's among them, and returns
+// when all are done. `work` must not throw, and its calls must not depend on one another.
 template <typename Work>
 void parallelFor(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next{0};

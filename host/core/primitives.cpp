@@ -70,7 +70,8 @@ class Collector {
   // together into the range where float32 keeps their direction.
   void addCornerNormals(const Mesh& mesh, const MeshTriangle& triangle) {
     double largest = 0.0;
-    for (const std::uint32_t n : triangle.normals) largest = std::max(largest, largestComponent(mesh.normals[n]));
+    for (const std::uint32_t n : triangle.normals)
+      largest = std::max(largest, largestComponent(mesh.normals[n]));
     for (const std::uint32_t n : triangle.normals) {
       result_.cornerNormals.push_back({largest > 0.0 ? mesh.normals[n] / largest : glm::dvec3(0.0), 0});
     }
@@ -117,8 +118,8 @@ Primitives collectPrimitives(const Scene& scene) {
   for (const MeshObject& mesh : scene.meshObjects) count += scene.meshes[mesh.mesh].triangles.size();
   if (count > gpu::kMaxReference) {
     throw Error(ExitCode::kInput, scene.file.string() + ": " + std::to_string(count) +
-                                      " spheres and triangles; at most " + std::to_string(gpu::kMaxReference) +
-                                      " are allowed");
+                                      " spheres and triangles; at most " +
+                                      std::to_string(gpu::kMaxReference) + " are allowed");
   }
   return Collector(scene).collect();
 }

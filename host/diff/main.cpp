@@ -30,8 +30,9 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   DiffOptions options;
   CLI::App app("Compares two images.", "lavaray-diff");
   app.set_version_flag("--version", std::string("lavaray-diff ") + kVersion);
-  app.footer("Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
-             "2 usage, 3 an image cannot be read, 5 output not written, 10 the images differ.");
+  app.footer(
+      "Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
+      "2 usage, 3 an image cannot be read, 5 output not written, 10 the images differ.");
   app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pfm)")->required();
   app.add_option("REFERENCE", options.reference, "Image to compare it with")->required();
   app.add_option("--tolerance", options.tolerance, "A channel off by at most T/255 does not differ")
@@ -52,8 +53,8 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
     throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray-diff --help lists the options");
   }
   if (!options.output.empty() && !imageFormat(options.output)) {
-    throw Error(ExitCode::kUsage, "--output " + options.output + ": its ending says no image format; allowed are " +
-                                      kImageFormatNames);
+    throw Error(ExitCode::kUsage, "--output " + options.output +
+                                      ": its ending says no image format; allowed are " + kImageFormatNames);
   }
   return options;
 }
@@ -77,8 +78,8 @@ ExitCode diff(const DiffOptions& options) {
   const double tolerance = (options.tolerance.value_or(0.0) + (options.tolerance ? 0.005 : 0.0)) / 255.0;
   const Difference difference = compare(image, reference, tolerance);
   std::cout << "differing    " << difference.differing << " of " << difference.pixels << " pixels\n"
-            << "largest      " << difference.largest * 255.0 << " / 255 at " << difference.x << "," << difference.y
-            << '\n'
+            << "largest      " << difference.largest * 255.0 << " / 255 at " << difference.x << ","
+            << difference.y << '\n'
             << "RMSE         " << difference.rmse << '\n'
             << "PSNR         " << difference.psnr() << " dB\n";
   if (!options.output.empty()) {

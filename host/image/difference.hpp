@@ -13,7 +13,7 @@ struct Difference {
   double largest = 0.0;       // over all channels; at pixel (x, y)
   int x = 0;
   int y = 0;
-  double rmse = 0.0;          // over all channels
+  double rmse = 0.0;                  // over all channels
   [[nodiscard]] double psnr() const;  // in dB, for a peak of 1; infinite for equal images
 };
 

@@ -34,8 +34,8 @@ void checkBmpSize(const Image& image) {
   if (bytes <= 0xFFFFFFFFU) return;
   throw Error(ExitCode::kOutput, "a BMP file of " + std::to_string(image.width) + " x " +
                                      std::to_string(image.height) + " pixels would take " +
-                                     std::to_string(bytes) + " bytes, at most 4294967295 are allowed; write " +
-                                     ".png, .ppm or .pfm");
+                                     std::to_string(bytes) +
+                                     " bytes, at most 4294967295 are allowed; write " + ".png, .ppm or .pfm");
 }
 
 }  // namespace
@@ -51,7 +51,9 @@ std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(255.0 * static_cast<double>(value)); }
+std::uint8_t toByte(float value) {
+  return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
+}
 
 void writeImage(const Image& image, ImageFormat format, std::FILE* stream) {
   if (format == ImageFormat::kBmp) checkBmpSize(image);
@@ -72,8 +74,8 @@ void writeImage(const Image& image, ImageFormat format, std::FILE* stream) {
 Image readImage(const std::filesystem::path& file) {
   const std::optional<ImageFormat> format = imageFormat(file);
   if (!format) {
-    throw Error(ExitCode::kInput, file.string() + ": its ending says no image format; allowed are " +
-                                      kImageFormatNames);
+    throw Error(ExitCode::kInput,
+                file.string() + ": its ending says no image format; allowed are " + kImageFormatNames);
   }
   CImg<float> loaded;
   try {

@@ -6,8 +6,8 @@
 
 namespace lavaray {
 
-// A file that comes into being whole or not at all: it is written under a temporary name in the same folder and
-// renamed by commit(). Without that it vanishes, and what was there before stays.
+// A file that comes into being whole or not at all: it is written under a temporary name in the same folder
+// and renamed by commit(). Without that it vanishes, and what was there before stays.
 class OutputFile {
  public:
   // Throws Error(kOutput) where the folder cannot be written to or `path` is no ordinary file.

@@ -26,7 +26,8 @@ gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSetti
                                          const GpuScene& scene) {
   const ImageSize plane = imageSize(camera).value();
   gpu::DispatchConstants constants{};
-  constants.pixelSize = glm::dvec2(plane.width, plane.height) / glm::dvec2(settings.size.width, settings.size.height);
+  constants.pixelSize =
+      glm::dvec2(plane.width, plane.height) / glm::dvec2(settings.size.width, settings.size.height);
   constants.halfImage = glm::dvec2(plane.width, plane.height) / 2.0;
   constants.focalLength = static_cast<float>(camera.focalLength);
   constants.cropX = static_cast<gpu::uint>(settings.crop.x0);
@@ -41,9 +42,9 @@ gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSetti
 Renderer::Renderer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
                    const RenderSettings& settings)
     : device_(device), settings_(settings), constants_(dispatchConstants(camera, settings, scene)) {
-  const std::uint64_t reachable = std::min<std::uint64_t>(
-      device.limits().storageBufferRange / sizeof(gpu::Pixel),
-      std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
+  const std::uint64_t reachable =
+      std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::Pixel),
+                              std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
   capacity_ = static_cast<std::uint32_t>(std::min({kMaxPiecePixels, reachable, pixelsOf(settings.crop)}));
   buffers_ = uploadScene(device, scene);
   buffers_.push_back(vulkan::Buffer::shared(device, "pixels", capacity_ * sizeof(gpu::Pixel)));
@@ -96,7 +97,7 @@ void Renderer::renderPiece(std::uint64_t firstPixel, std::uint32_t pixelCount, R
   do {
     *status = {};
     shader_->dispatch((pixelCount + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
-                             std::as_bytes(std::span(&constants_, 1)));
+                      std::as_bytes(std::span(&constants_, 1)));
     ++result.dispatches;
     result.shadowRays += status->shadowRays;
     const bool nothingMoved = status->stuck == status->unfinished && status->unfinished == unfinishedBefore;
@@ -111,7 +112,8 @@ void Renderer::renderPiece(std::uint64_t firstPixel, std::uint32_t pixelCount, R
 
   const auto* pixels = reinterpret_cast<const gpu::Pixel*>(pixelBuffer.bytes());
   float* rgb = result.image.rgb.data() + 3 * firstPixel;
-  for (std::uint32_t i = 0; i < pixelCount; ++i) std::memcpy(rgb + 3 * i, &pixels[i].color, 3 * sizeof(float));
+  for (std::uint32_t i = 0; i < pixelCount; ++i)
+    std::memcpy(rgb + 3 * i, &pixels[i].color, 3 * sizeof(float));
   result.cameraRays += pixelCount;
 }
 

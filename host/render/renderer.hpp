@@ -13,23 +13,24 @@
 namespace lavaray {
 
 struct RenderSettings {
-  ImageSize size;       // of the whole image
-  Rectangle crop;       // the part of it to render
+  ImageSize size;  // of the whole image
+  Rectangle crop;  // the part of it to render
   bool countRays = false;
 };
 
 struct RenderResult {
-  Image image;                    // of the crop's size; black where the render was stopped before
+  Image image;  // of the crop's size; black where the render was stopped before
   bool complete = true;
   std::uint64_t dispatches = 0;
   std::uint64_t cameraRays = 0;
-  std::uint64_t shadowRays = 0;   // counted where the settings ask for it
+  std::uint64_t shadowRays = 0;  // counted where the settings ask for it
 };
 
 // A scene on a device, with the pipeline for what the scene has.
 class Renderer {
  public:
-  Renderer(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings);
+  Renderer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
+           const RenderSettings& settings);
 
   // Renders piece by piece and looks at `stop` after each, which takes about a tenth of a second.
   // Throws Error(kDevice) where the device fails or cannot finish a ray.
@@ -44,8 +45,8 @@ class Renderer {
   vulkan::Device& device_;
   RenderSettings settings_;
   gpu::DispatchConstants constants_{};
-  std::uint32_t capacity_;                // pixels of the largest piece
-  std::vector<vulkan::Buffer> buffers_;   // by binding
+  std::uint32_t capacity_;                       // pixels of the largest piece
+  std::vector<vulkan::Buffer> buffers_;          // by binding
   std::optional<vulkan::ComputeShader> shader_;  // made when the buffers are
 };
 

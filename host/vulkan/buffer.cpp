@@ -27,7 +27,9 @@ std::optional<std::uint32_t> findMemoryType(const Device& device, std::uint32_t 
   return std::nullopt;
 }
 
-std::string inMegabytes(std::uint64_t bytes) { return std::to_string((bytes + (1U << 20U) - 1) >> 20U) + " MiB"; }
+std::string inMegabytes(std::uint64_t bytes) {
+  return std::to_string((bytes + (1U << 20U) - 1) >> 20U) + " MiB";
+}
 
 // A larger buffer could be made, but a shader would not reach its end.
 void checkReach(const Device& device, const std::string& name, BufferUse use, std::size_t size) {
@@ -91,8 +93,8 @@ Buffer Buffer::shared(Device& device, const std::string& name, std::size_t size)
 Buffer Buffer::uploaded(Device& device, const std::string& name, BufferUse use,
                         std::span<const std::byte> content) {
   checkReach(device, name, use, content.size());
-  const VkBufferUsageFlags usage =
-      use == BufferUse::kTexels ? VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT : VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  const VkBufferUsageFlags usage = use == BufferUse::kTexels ? VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT
+                                                             : VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   Buffer buffer(device, name, content.size(), use, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                 std::array{kOnDevice | kOnHost, kOnDevice, kOnHost});
   if (buffer.mapped_ != nullptr) {

@@ -13,8 +13,8 @@ VkDescriptorType descriptorType(const Buffer& buffer) {
 }  // namespace
 
 ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
-                             std::span<const std::uint32_t> specialization,
-                             std::span<const Buffer> buffers, std::size_t pushConstantSize)
+                             std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
+                             std::size_t pushConstantSize)
     : device_(&device) {
   createSet(buffers);
   createPipeline(spirv, specialization, pushConstantSize);
@@ -74,7 +74,8 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
 void ComputeShader::createPipeline(std::span<const std::uint32_t> spirv,
                                    std::span<const std::uint32_t> specialization,
                                    std::size_t pushConstantSize) {
-  const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0, static_cast<std::uint32_t>(pushConstantSize)};
+  const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                  static_cast<std::uint32_t>(pushConstantSize)};
   const VkDescriptorSetLayout setLayout = setLayout_.get();
   VkPipelineLayoutCreateInfo layoutInfo{};
   layoutInfo.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;

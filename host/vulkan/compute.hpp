@@ -8,8 +8,8 @@
 
 namespace lavaray::vulkan {
 
-// A compute shader with its buffers bound, ready to be dispatched. Binding i of descriptor set 0 is buffers[i],
-// and specialization constant i has the value specialization[i] (a bool is 0 or 1).
+// A compute shader with its buffers bound, ready to be dispatched. Binding i of descriptor set 0 is
+// buffers[i], and specialization constant i has the value specialization[i] (a bool is 0 or 1).
 class ComputeShader {
  public:
   // `buffers` must outlive the shader; a binding's kind is its buffer's use.

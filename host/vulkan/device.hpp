@@ -9,13 +9,13 @@
 namespace lavaray::vulkan {
 
 struct DeviceLimits {
-  VkDeviceSize storageBufferRange;   // bytes
+  VkDeviceSize storageBufferRange;  // bytes
   std::uint32_t texelBufferElements;
-  std::uint32_t workGroupsX;         // of one dispatch
+  std::uint32_t workGroupsX;  // of one dispatch
 };
 
-// A logical device with one compute queue. Work is recorded, submitted and waited for in one call: the program
-// never has two pieces of work under way.
+// A logical device with one compute queue. Work is recorded, submitted and waited for in one call: the
+// program never has two pieces of work under way.
 class Device {
  public:
   explicit Device(const DeviceDescription& description);

@@ -86,8 +86,8 @@ DeviceDescription describe(VkPhysicalDevice device) {
     vkGetPhysicalDeviceProperties2(device, &properties);
     driverName = std::string(driver.driverName) + " " + driver.driverInfo;
   }
-  return {device, first.deviceName, kindOf(first.deviceType), driverName, rankOf(first.deviceType),
-          isNew && hasComputeQueue(device)};
+  return {device,     first.deviceName,         kindOf(first.deviceType),
+          driverName, rankOf(first.deviceType), isNew && hasComputeQueue(device)};
 }
 
 std::string lower(std::string text) {
@@ -105,7 +105,8 @@ std::string listing(std::span<const DeviceDescription> devices) {
 }
 
 // The devices that a choice means: the one of that number, or all whose name contains it.
-std::vector<DeviceDescription> matching(std::span<const DeviceDescription> devices, const std::string& choice) {
+std::vector<DeviceDescription> matching(std::span<const DeviceDescription> devices,
+                                        const std::string& choice) {
   if (std::all_of(choice.begin(), choice.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
     const bool exists = choice.size() < 5 && std::stoul(choice) < devices.size();
     return exists ? std::vector{devices[std::stoul(choice)]} : std::vector<DeviceDescription>{};
@@ -188,18 +189,20 @@ DeviceDescription chooseDevice(const Instance& instance, const std::string& choi
     const std::vector<DeviceDescription> matches = matching(devices, choice);
     if (matches.size() == 1 && matches[0].usable) return matches[0];
     throw Error(ExitCode::kDevice, "--device " + choice + " names " +
-                                      (matches.empty()       ? "no device"
-                                       : matches.size() == 1 ? "a device without Vulkan 1.2 compute"
-                                                             : "several devices") +
-                                      "; there are:" + listing(devices));
+                                       (matches.empty()       ? "no device"
+                                        : matches.size() == 1 ? "a device without Vulkan 1.2 compute"
+                                                              : "several devices") +
+                                       "; there are:" + listing(devices));
   }
   std::optional<DeviceDescription> best;
   for (const DeviceDescription& device : devices) {
     if (device.usable && (!best || device.rank < best->rank)) best = device;
   }
   if (!best) {
-    throw Error(ExitCode::kDevice, "there is no Vulkan 1.2 device; install mesa-vulkan-drivers, which renders on "
-                                   "the CPU" + (devices.empty() ? "" : "; there are:" + listing(devices)));
+    throw Error(ExitCode::kDevice,
+                "there is no Vulkan 1.2 device; install mesa-vulkan-drivers, which renders on "
+                "the CPU" +
+                    (devices.empty() ? "" : "; there are:" + listing(devices)));
   }
   return *best;
 }

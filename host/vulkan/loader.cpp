@@ -68,7 +68,8 @@ void loadGlobalFunctions() {
     vkGetInstanceProcAddr =
         reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(library, "vkGetInstanceProcAddr"));
     if (vkGetInstanceProcAddr == nullptr) {
-      throw Error(ExitCode::kDevice, "libvulkan.so.1 is not a Vulkan loader; reinstall the package libvulkan1");
+      throw Error(ExitCode::kDevice,
+                  "libvulkan.so.1 is not a Vulkan loader; reinstall the package libvulkan1");
     }
 #define LAVARAY_FETCH(name) fetch(VK_NULL_HANDLE, #name, name);
     LAVARAY_GLOBAL_FUNCTIONS(LAVARAY_FETCH)

@@ -18,7 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path sharedFile(const std::string& name) { return fs::path(LAVARAY_SHARED_DIR) / name; }
+fs::path sharedFile(const std::string& name) {
+  return fs::path(LAVARAY_SHARED_DIR) / name;
+}
 
 std::vector<std::uint8_t> toBytes(const Image& image) {
   std::vector<std::uint8_t> bytes;
@@ -28,7 +30,8 @@ std::vector<std::uint8_t> toBytes(const Image& image) {
 
 std::vector<std::uint8_t> bytesOfFile(const fs::path& file) {
   std::vector<std::uint8_t> bytes;
-  for (const float value : readImage(file).rgb) bytes.push_back(static_cast<std::uint8_t>(255.0F * value + 0.5F));
+  for (const float value : readImage(file).rgb)
+    bytes.push_back(static_cast<std::uint8_t>(255.0F * value + 0.5F));
   return bytes;
 }
 
@@ -39,22 +42,22 @@ struct Expected {
   bool stretched;          // as the course's image of scene3 is
 };
 
-std::ostream& operator<<(std::ostream& out, const Expected& expected) { return out << expected.scene; }
+std::ostream& operator<<(std::ostream& out, const Expected& expected) {
+  return out << expected.scene;
+}
 
 class CourseScene : public testing::TestWithParam<Expected> {};
 
-INSTANTIATE_TEST_SUITE_P(, CourseScene,
-                         testing::Values(Expected{"scene1", {1534, 1154}, -1, false},
-                                         Expected{"scene2", {2051, 1154}, -1, false},
-                                         Expected{"scene3", {767, 577}, 120, true},
-                                         Expected{"scene4", {1212, 808}, 30, false},
-                                         Expected{"scene5", {1212, 808}, 40, false},
-                                         Expected{"scene6", {1212, 808}, 110, false},
-                                         Expected{"scene7", {2051, 1154}, -1, false},
-                                         Expected{"sceneCube", {1534, 1154}, -1, false},
-                                         Expected{"sceneMap", {1534, 1154}, -1, false},
-                                         Expected{"scenefish", {1534, 1154}, -1, false}),
-                         [](const auto& test) { return std::string(test.param.scene); });
+INSTANTIATE_TEST_SUITE_P(
+    , CourseScene,
+    testing::Values(Expected{"scene1", {1534, 1154}, -1, false}, Expected{"scene2", {2051, 1154}, -1, false},
+                    Expected{"scene3", {767, 577}, 120, true}, Expected{"scene4", {1212, 808}, 30, false},
+                    Expected{"scene5", {1212, 808}, 40, false}, Expected{"scene6", {1212, 808}, 110, false},
+                    Expected{"scene7", {2051, 1154}, -1, false},
+                    Expected{"sceneCube", {1534, 1154}, -1, false},
+                    Expected{"sceneMap", {1534, 1154}, -1, false},
+                    Expected{"scenefish", {1534, 1154}, -1, false}),
+    [](const auto& test) { return std::string(test.param.scene); });
 
 TEST_P(CourseScene, EqualsTheExpectedImageOffTheSilhouettes) {
   const Expected& expected = GetParam();
@@ -88,7 +91,9 @@ struct MeshView {
   glm::dvec3 light;
 };
 
-std::ostream& operator<<(std::ostream& out, const MeshView& view) { return out << view.file; }
+std::ostream& operator<<(std::ostream& out, const MeshView& view) {
+  return out << view.file;
+}
 
 class RealMesh : public testing::TestWithParam<MeshView> {};
 
@@ -110,15 +115,18 @@ TEST_P(RealMesh, EqualsTheOracleOffTheSilhouettes) {
   const fs::path file = sharedFile(std::string("meshes/") + view.file + ".obj");
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
   const fs::path sceneFile = fs::path(testing::TempDir()) / (std::string(view.file) + "-view.txt");
-  std::ofstream(sceneFile) << "3\ncamera\npos: " << view.camera.x << ' ' << view.camera.y << ' ' << view.camera.z
-                           << "\nfov: " << view.fovDegrees << "\nf: 100\na: 1.3\nlight\npos: " << view.light.x << ' '
-                           << view.light.y << ' ' << view.light.z
-                           << "\namb: 0.1 0.1 0.1\ndif: 0.8 0.8 0.8\nspe: 0.4 0.4 0.4\nmesh\nfile: " << file.string()
+  std::ofstream(sceneFile) << "3\ncamera\npos: " << view.camera.x << ' ' << view.camera.y << ' '
+                           << view.camera.z << "\nfov: " << view.fovDegrees
+                           << "\nf: 100\na: 1.3\nlight\npos: " << view.light.x << ' ' << view.light.y << ' '
+                           << view.light.z
+                           << "\namb: 0.1 0.1 0.1\ndif: 0.8 0.8 0.8\nspe: 0.4 0.4 0.4\nmesh\nfile: "
+                           << file.string()
                            << "\namb: 0.1 0.1 0.1\ndif: 0.7 0.6 0.5\nspe: 0.3 0.3 0.3\nshi: 30\n";
   const Scene scene = readScene(sceneFile);
   fs::remove(sceneFile);
   const ImageSize size = reducedSize(scene.camera, 100);
-  const Comparison comparison = compare(renderScene(scene, size).image.rgb, oracle::render(scene, {.size = size}));
+  const Comparison comparison =
+      compare(renderScene(scene, size).image.rgb, oracle::render(scene, {.size = size}));
   EXPECT_EQ(comparison.wrong, 0) << describe(comparison);
   EXPECT_GT(comparison.uncertain, 0) << "the mesh is not in the picture";
   std::cout << describe(comparison) << '\n';

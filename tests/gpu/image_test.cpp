@@ -28,7 +28,9 @@ std::vector<std::string> sceneNames() {
   return names;
 }
 
-Scene readNamed(const std::string& name) { return readScene(fs::path(LAVARAY_SCENES_DIR) / (name + ".txt")); }
+Scene readNamed(const std::string& name) {
+  return readScene(fs::path(LAVARAY_SCENES_DIR) / (name + ".txt"));
+}
 
 // The oracle without mirrors, which this renderer does not show yet.
 oracle::Options oracleOptions(const ImageSize& size) {
@@ -88,8 +90,8 @@ Scene sphereOnPlane(int lightCount) {
   std::uniform_real_distribution<double> coordinate(-5.0, 5.0);
   for (int i = 0; i < lightCount; ++i) {
     const glm::dvec3 color(0.9 / lightCount);
-    scene.lights.push_back({{coordinate(random), 6.0 + coordinate(random), coordinate(random)},
-                            color * 0.1, color, color, 0.0});
+    scene.lights.push_back(
+        {{coordinate(random), 6.0 + coordinate(random), coordinate(random)}, color * 0.1, color, color, 0.0});
   }
   return scene;
 }
@@ -105,7 +107,8 @@ TEST(Image, EqualsTheOracleWithManyLights) {
 // So many shadow rays through a tree that an invocation's loops are used up before its lights are.
 TEST(Image, IsRightWhereTheDeviceEndsTheLoops) {
   Scene scene = sphereOnPlane(20);
-  // Layers between the lights and the plane: every shadow ray enters each layer's box and misses its triangle.
+  // Layers between the lights and the plane: every shadow ray enters each layer's box and misses its
+  // triangle.
   for (int i = 0; i < 3000; ++i) {
     const double y = 0.9 + 0.00003 * i;
     const auto object = static_cast<std::uint32_t>(scene.materials.size());
@@ -134,14 +137,16 @@ TEST(Image, ShowsAmbientColourOnlyWithoutLights) {
 TEST(Image, HandlesLightsInSurfacesAndCamerasInEverything) {
   Scene scene = sphereOnPlane(0);
   const glm::dvec3 white(0.3);
-  scene.lights.push_back({{0, 0, 3}, white, white, white, 0.0});        // in the plane
-  scene.lights.push_back({{0, 2, 0}, white, white, white, 0.0});        // on the sphere
-  scene.lights.push_back({{0, 1, 0}, white, white, white, 0.0});        // in its centre
-  scene.lights.push_back({{0, 1, 6}, white, white, white, 0.0});        // in the camera
-  for (const glm::dvec3& position : {glm::dvec3(0, 1, 6), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 4), glm::dvec3(0, 1, 1)}) {
+  scene.lights.push_back({{0, 0, 3}, white, white, white, 0.0});  // in the plane
+  scene.lights.push_back({{0, 2, 0}, white, white, white, 0.0});  // on the sphere
+  scene.lights.push_back({{0, 1, 0}, white, white, white, 0.0});  // in its centre
+  scene.lights.push_back({{0, 1, 6}, white, white, white, 0.0});  // in the camera
+  for (const glm::dvec3& position :
+       {glm::dvec3(0, 1, 6), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 4), glm::dvec3(0, 1, 1)}) {
     scene.camera.position = position;
     const Image image = renderScene(scene, reducedSize(scene.camera, 60)).image;
-    EXPECT_TRUE(std::all_of(image.rgb.begin(), image.rgb.end(), [](float value) { return value >= 0.0F && value <= 1.0F; }));
+    EXPECT_TRUE(std::all_of(image.rgb.begin(), image.rgb.end(),
+                            [](float value) { return value >= 0.0F && value <= 1.0F; }));
     expectEqualsOracle(scene, reducedSize(scene.camera, 60));
   }
 }
@@ -157,7 +162,8 @@ TEST(Image, IsTheSameBitsAtAnyScale) {
       Scene scaled = scene;
       scaled.camera.position *= scale;
       for (Plane& plane : scaled.planes) plane.point *= scale;
-      for (Sphere& sphere : scaled.spheres) sphere = {sphere.center * scale, sphere.radius * scale, sphere.object};
+      for (Sphere& sphere : scaled.spheres)
+        sphere = {sphere.center * scale, sphere.radius * scale, sphere.object};
       for (Light& light : scaled.lights) light.position *= scale;
       for (Triangle& triangle : scaled.triangles) {
         for (glm::dvec3& vertex : triangle.vertices) vertex *= scale;
@@ -165,7 +171,8 @@ TEST(Image, IsTheSameBitsAtAnyScale) {
       for (Mesh& mesh : scaled.meshes) {
         for (glm::dvec3& position : mesh.positions) position *= scale;
       }
-      EXPECT_TRUE(sameBits(image.rgb, renderScene(scaled, size).image.rgb)) << name << " times 2^" << exponent;
+      EXPECT_TRUE(sameBits(image.rgb, renderScene(scaled, size).image.rgb))
+          << name << " times 2^" << exponent;
     }
   }
 }

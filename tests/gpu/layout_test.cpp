@@ -65,7 +65,8 @@ TEST(Layout, IsTheSameOnHostAndDevice) {
 
   vulkan::Device& device = testDevice();
   std::vector<vulkan::Buffer> buffers = uploadScene(device, scene);
-  buffers.push_back(vulkan::Buffer::shared(device, "written", 2 * sizeof(gpu::Pixel) + 2 * sizeof(gpu::DispatchStatus)));
+  buffers.push_back(
+      vulkan::Buffer::shared(device, "written", 2 * sizeof(gpu::Pixel) + 2 * sizeof(gpu::DispatchStatus)));
   buffers.push_back(vulkan::Buffer::shared(device, "words", 4 * expected.size()));
   vulkan::ComputeShader shader(device, layoutProbeSpirv, specializationFor(scene, false), buffers,
                                sizeof constants);

@@ -16,7 +16,8 @@ RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size, std:
 ImageSize reducedSize(const Camera& camera, int longest) {
   const ImageSize full = imageSize(camera).value();
   const double scale = std::min(1.0, static_cast<double>(longest) / std::max(full.width, full.height));
-  return {std::max(1, static_cast<int>(full.width * scale)), std::max(1, static_cast<int>(full.height * scale))};
+  return {std::max(1, static_cast<int>(full.width * scale)),
+          std::max(1, static_cast<int>(full.height * scale))};
 }
 
 }  // namespace lavaray

@@ -34,11 +34,12 @@ class Tracer {
     buffers.push_back(vulkan::Buffer::shared(device, "hits", rays.size() * sizeof(gpu::ProbeHit)));
     std::memcpy(buffers[gpu::kBindingProbeIn].bytes(), rays.data(), rays.size() * sizeof(gpu::ProbeRay));
     const gpu::TraceConstants constants{static_cast<gpu::uint>(rays.size()),
-                                        static_cast<gpu::uint>(scene_.primitives.size()), scene_.rootReference,
-                                        mode};
+                                        static_cast<gpu::uint>(scene_.primitives.size()),
+                                        scene_.rootReference, mode};
     vulkan::ComputeShader shader(device, traceProbeSpirv, specializationFor(scene_, false), buffers,
                                  sizeof constants);
-    const auto groups = static_cast<std::uint32_t>((rays.size() + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize);
+    const auto groups =
+        static_cast<std::uint32_t>((rays.size() + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize);
     shader.dispatch(groups, std::as_bytes(std::span(&constants, 1)));
     std::vector<gpu::ProbeHit> hits(rays.size());
     std::memcpy(hits.data(), buffers[gpu::kBindingProbeOut].bytes(), hits.size() * sizeof(gpu::ProbeHit));
@@ -101,7 +102,8 @@ void addGrid(Scene& scene, const std::vector<std::vector<glm::dvec3>>& grid) {
 
 // Half of the rays run between random points, half are aimed at random points of the triangles' edges and at
 // their vertices.
-std::vector<gpu::ProbeRay> randomAndEdgeRays(const Scene& scene, std::size_t count, double extent, Random& random) {
+std::vector<gpu::ProbeRay> randomAndEdgeRays(const Scene& scene, std::size_t count, double extent,
+                                             Random& random) {
   std::vector<gpu::ProbeRay> rays;
   std::uniform_real_distribution<double> along(0.0, 1.0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -215,7 +217,8 @@ TEST(Traversal, EqualsBruteForceOnAGridWithAxisParallelRays) {
   std::vector<gpu::ProbeRay> rays;
   std::uniform_int_distribution<int> half(-2, 24);
   for (std::size_t i = 0; i < kRays; ++i) {
-    gpu::ProbeRay ray{glm::vec3(half(random), half(random), half(random)) / 2.0F, kNoSkip, glm::vec3(0.0F), INFINITY};
+    gpu::ProbeRay ray{glm::vec3(half(random), half(random), half(random)) / 2.0F, kNoSkip, glm::vec3(0.0F),
+                      INFINITY};
     ray.direction[static_cast<int>(random() % 3)] = random() % 2 == 0 ? 1.0F : -1.0F;
     if (random() % 4 == 0) ray.direction[static_cast<int>(random() % 3)] = random() % 2 == 0 ? 1.0F : -0.0F;
     rays.push_back(ray);
@@ -242,7 +245,8 @@ TEST(Traversal, EqualsBruteForceFarFromTheOrigin) {
 
 // No ray from inside a closed mesh gets out, be it aimed at an edge or at a vertex.
 TEST(Traversal, FindsNoLeakInAClosedMesh) {
-  for (const glm::dvec3& place : {glm::dvec3(0.0), glm::dvec3(1000.0), glm::dvec3(148376.0, 1234.0, -223423.0)}) {
+  for (const glm::dvec3& place :
+       {glm::dvec3(0.0), glm::dvec3(1000.0), glm::dvec3(148376.0, 1234.0, -223423.0)}) {
     Random random(7);
     auto grid = sphereGrid(64, 0.1, random);
     for (auto& ring : grid) {
@@ -259,7 +263,8 @@ TEST(Traversal, FindsNoLeakInAClosedMesh) {
       rays.push_back(rayThrough(origin, i % 2 == 0 ? v[0] + along(random) * (v[1] - v[0]) : v[2]));
     }
     const std::vector<gpu::ProbeHit> hits = Tracer(scene).trace(rays, gpu::kTraceClosest);
-    const auto leaks = std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.order == kMiss; });
+    const auto leaks =
+        std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.order == kMiss; });
     EXPECT_EQ(leaks, 0);
     std::cout << leaks << " leaks in " << rays.size() << " rays\n";
   }
@@ -291,7 +296,8 @@ TEST(Traversal, SaysWhenTheDeviceEndsItsLoops) {
       addTriangle(scene, {0, 0, z}, {1, 0, z}, {0, 1, z});
     }
     // Beyond the hypotenuse, but within every box.
-    const std::vector<gpu::ProbeRay> rays(64, gpu::ProbeRay{{0.9F, 0.9F, 0.0F}, kNoSkip, {0, 0, -1}, INFINITY});
+    const std::vector<gpu::ProbeRay> rays(64,
+                                          gpu::ProbeRay{{0.9F, 0.9F, 0.0F}, kNoSkip, {0, 0, -1}, INFINITY});
     for (const gpu::ProbeHit& hit : Tracer(scene).trace(rays, gpu::kTraceClosest)) {
       EXPECT_EQ(hit.order, kMiss);
       EXPECT_EQ(hit.finished, count == 1000 ? 1U : 0U);

@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# The command line as a user meets it: exit codes, messages, files. Called with the folder of the programs, the
+# folder of the scenes and a scratch folder, which it makes anew.
+set -u
+programs=$1 scenes=$2 scratch=$3
+lavaray=$programs/lavaray
+diff=$programs/lavaray-diff
+rm -rf "$scratch" && mkdir -p "$scratch" && cd "$scratch" || exit 1
+failures=0
+checks=0
+
+# expect CODE TEXT COMMAND...: the command exits with CODE and prints TEXT, an extended regular expression, to
+# stderr; an empty TEXT matches anything.
+expect() {
+  local code=$1 text=$2
+  shift 2
+  "$@" >stdout 2>stderr
+  local actual=$?
+  checks=$((checks + 1))
+  if [ "$actual" -ne "$code" ] || { [ -n "$text" ] && ! grep -qE -- "$text" stderr; }; then
+    failures=$((failures + 1))
+    echo "FAILED: $*: exit code $actual, expected $code; stderr, expected /$text/:"
+    cat stderr
+  fi
+}
+
+# holds TEXT COMMAND...: the command succeeds.
+holds() {
+  local what=$1
+  shift
+  checks=$((checks + 1))
+  if ! "$@" >/dev/null 2>&1; then
+    failures=$((failures + 1))
+    echo "FAILED: $what"
+  fi
+}
+
+scene=$scenes/spheres.txt
+small="--width 64"
+
+# Usage: exit code 2
+expect 2 'SCENE' "$lavaray"
+expect 2 'help' "$lavaray" --no-such-option "$scene"
+expect 2 '\.bmp, \.png, \.ppm, \.pfm' "$lavaray" "$scene" -o picture.jpg
+expect 2 'width' "$lavaray" "$scene" --width 0
+expect 2 'height' "$lavaray" "$scene" --height x
+expect 2 'X0 < X1 <= 64' "$lavaray" "$scene" $small --crop 10,0,65,5
+expect 2 'crop' "$lavaray" "$scene" --crop 1,2,3
+expect 2 'max-depth' "$lavaray" "$scene" --max-depth -1
+expect 2 '' "$lavaray" "$scene" -q -v
+holds 'no file after a usage error' test -z "$(find . -name '*.bmp')"
+
+# Help and version
+expect 0 '' "$lavaray" --help
+holds 'the help names the options' grep -q -- '--crop' stdout
+expect 0 '' "$lavaray" --version
+holds 'the version is printed' grep -qE '^lavaray [0-9]+\.[0-9]+\.[0-9]+$' stdout
+
+# Scene errors: exit code 3, and the file that was there stays
+printf 'precious' >kept.bmp
+printf '1\nsphere\npos: 0 0\n' >broken.txt
+expect 3 '^lavaray: broken\.txt:3: ' "$lavaray" broken.txt -o kept.bmp
+expect 3 'missing\.txt: cannot be read' "$lavaray" missing.txt -o kept.bmp
+printf '2\ncamera\npos: 0 0 0\nfov: 60\nf: 100\na: 1\nmesh\nfile: gone.obj\namb: 0 0 0\ndif: 0 0 0\nspe: 0 0 0\nshi: 1\n' >mesh.txt
+expect 3 'mesh\.txt:8: .*gone\.obj' "$lavaray" mesh.txt -o kept.bmp
+holds 'a scene error leaves the output alone' grep -qx 'precious' kept.bmp
+
+# Devices: exit code 4
+expect 4 'mesa-vulkan-drivers' env VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null "$lavaray" "$scene" -o kept.bmp
+expect 4 'there are:' "$lavaray" "$scene" --device 99 -o kept.bmp
+expect 4 'no device' "$lavaray" "$scene" --device 'no such' -o kept.bmp
+expect 0 '^0: ' "$lavaray" --list-devices
+holds 'a device error leaves the output alone' grep -qx 'precious' kept.bmp
+
+# Output: exit code 5, before the work
+expect 5 'cannot be written' "$lavaray" "$scene" -o no-such-folder/picture.bmp
+mkdir folder.bmp
+expect 5 'not an ordinary file' "$lavaray" "$scene" -o folder.bmp
+# One block of 512 or 1024 bytes is too little for the picture.
+expect 5 'kept\.bmp: cannot be written' bash -c "ulimit -f 1; '$lavaray' '$scene' $small -o kept.bmp"
+holds 'a write error leaves the output alone' grep -qx 'precious' kept.bmp
+holds 'no temporary file is left' test -z "$(find . -name '.*.??????')"
+
+# Pictures
+expect 0 '' "$lavaray" "$scene" $small
+holds 'the default name is the scene with .bmp in this folder' test -s spheres.bmp
+for format in bmp png ppm pfm; do expect 0 '' "$lavaray" "$scene" $small -o picture.$format; done
+expect 0 '' "$diff" picture.png picture.bmp
+expect 0 '' "$diff" picture.ppm picture.bmp
+expect 0 '' "$diff" --tolerance 1 picture.pfm picture.bmp
+expect 10 '' "$diff" picture.pfm picture.bmp
+"$lavaray" "$scene" $small -o - >piped.ppm 2>stderr
+holds '-o - writes the same PPM to stdout' cmp piped.ppm picture.ppm
+holds 'nothing else is printed' test ! -s stderr
+expect 0 '' "$lavaray" -q "$scene" $small -o quiet.png
+holds '-q prints nothing' test ! -s stderr
+expect 0 'device: ' "$lavaray" -v "$scene" $small -o verbose.png
+expect 0 'SAH cost' "$lavaray" --stats "$scene" $small -o stats.png
+expect 0 'spheres +[1-9]' "$lavaray" --check "$scene" -o unwritten.png
+holds '--check writes no picture' test ! -e unwritten.png
+ln -s target.png link.png
+printf 'old' >target.png
+expect 0 '' "$lavaray" "$scene" $small -o link.png
+holds 'a symbolic link stays one' test -L link.png
+expect 0 '' "$diff" target.png picture.png
+chmod 640 target.png
+expect 0 '' "$lavaray" "$scene" $small -o target.png
+holds 'a replaced file keeps its mode' test "$(stat -c %a target.png)" = 640
+
+# Sizes, parts and stretching
+expect 0 '' "$lavaray" "$scene" --height 40 -o height.ppm
+holds '--height alone keeps the aspect' grep -aqE '^6[0-9] 40$' <(head -c 20 height.ppm)
+expect 0 '' "$lavaray" "$scene" $small --crop 10,5,30,20 -o part.ppm
+holds 'a crop has its own size' grep -aqx '20 15' <(head -c 20 part.ppm)
+dark=$scenes/facets.txt
+expect 0 '' "$lavaray" "$dark" $small -o dark.pfm
+expect 0 '' "$lavaray" "$dark" $small --normalize -o stretched.pfm
+expect 10 '' "$diff" part.ppm picture.ppm
+holds 'images of different size differ, with both sizes' grep -q 'reference' stdout
+
+# lavaray-diff
+expect 0 '' "$diff" picture.png picture.png
+holds 'equal images have no error' grep -qE '^RMSE +0$' stdout
+expect 10 '' "$diff" stretched.pfm dark.pfm -o difference.png
+holds 'the difference is a picture' test -s difference.png
+expect 0 '' "$diff" --max-rmse 1 stretched.pfm dark.pfm
+expect 10 '' "$diff" --max-rmse 1e-9 stretched.pfm dark.pfm
+expect 0 '' "$diff" --max-differing 1000000 stretched.pfm dark.pfm
+expect 2 '' "$diff" picture.png
+expect 3 'broken\.txt' "$diff" picture.png broken.txt
+printf 'not a picture' >fake.png
+expect 3 'fake\.png' "$diff" fake.png picture.png
+
+# An interrupted render ends soon and writes what it has
+"$lavaray" "$scenes/thousand-spheres.txt" --width 4000 -o interrupted.ppm 2>stderr &
+render=$!
+sleep 1
+kill -INT $render
+started=$(date +%s%N)
+wait $render
+code=$?
+elapsed=$((($(date +%s%N) - started) / 1000000))
+checks=$((checks + 3))
+[ $code -eq 130 ] || { failures=$((failures + 1)); echo "FAILED: interrupted: exit code $code"; }
+grep -q 'interrupted; interrupted.ppm holds' stderr || { failures=$((failures + 1)); echo 'FAILED: no word of it'; }
+[ -s interrupted.ppm ] || { failures=$((failures + 1)); echo 'FAILED: no picture'; }
+echo "an interrupted render ended after $elapsed ms"
+
+echo "$checks checks, $failures failed"
+[ $failures -eq 0 ]
