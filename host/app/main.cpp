@@ -1,10 +1,9 @@
-#include <csignal>
-#include <exception>
 #include <iostream>
 #include <memory>
 
 #include "app/interrupt.hpp"
 #include "app/options.hpp"
+#include "app/program.hpp"
 #include "app/report.hpp"
 #include "core/errors.hpp"
 #include "core/parallel.hpp"
@@ -96,16 +95,8 @@ ExitCode run(const Options& options) {
 }  // namespace lavaray
 
 int main(int argc, char** argv) {
-  using lavaray::ExitCode;
-  try {
+  return lavaray::runProgram("lavaray", [&] {
     const auto options = lavaray::parseOptions(argc, argv);
-    std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit shall be a write error, not the end
-    return static_cast<int>(options ? lavaray::run(*options) : ExitCode::kSuccess);
-  } catch (const lavaray::Error& error) {
-    std::cerr << "lavaray: " << error.what() << '\n';
-    return static_cast<int>(error.exitCode());
-  } catch (const std::exception& error) {
-    std::cerr << "lavaray: internal error: " << error.what() << '\n';
-    return static_cast<int>(ExitCode::kInternalError);
-  }
+    return options ? lavaray::run(*options) : lavaray::ExitCode::kSuccess;
+  });
 }

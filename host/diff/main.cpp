@@ -1,12 +1,12 @@
 // lavaray-diff: compares two images.
 #include <cmath>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "app/program.hpp"
 #include "app/version.hpp"
 #include "core/errors.hpp"
 #include "image/difference.hpp"
@@ -94,15 +94,8 @@ ExitCode diff(const DiffOptions& options) {
 }  // namespace lavaray
 
 int main(int argc, char** argv) {
-  using lavaray::ExitCode;
-  try {
+  return lavaray::runProgram("lavaray-diff", [&] {
     const auto options = lavaray::parseDiffOptions(argc, argv);
-    return static_cast<int>(options ? lavaray::diff(*options) : ExitCode::kSuccess);
-  } catch (const lavaray::Error& error) {
-    std::cerr << "lavaray-diff: " << error.what() << '\n';
-    return static_cast<int>(error.exitCode());
-  } catch (const std::exception& error) {
-    std::cerr << "lavaray-diff: internal error: " << error.what() << '\n';
-    return static_cast<int>(ExitCode::kInternalError);
-  }
+    return options ? lavaray::diff(*options) : lavaray::ExitCode::kSuccess;
+  });
 }

@@ -71,6 +71,13 @@ void addSphere(Scene& scene, const glm::dvec3& center, double radius) {
   scene.materials.emplace_back();
 }
 
+void addRandomTriangles(Scene& scene, int count, const glm::dvec3& place, Random& random) {
+  for (int i = 0; i < count; ++i) {
+    const glm::dvec3 a = place + randomPoint(random, 10.0);
+    addTriangle(scene, a, a + randomPoint(random, 2.0), a + randomPoint(random, 2.0));
+  }
+}
+
 // A closed sphere of 2 * rings * rings triangles about the origin, bumpy by up to `bump` of the radius.
 std::vector<std::vector<glm::dvec3>> sphereGrid(int rings, double bump, Random& random) {
   std::uniform_real_distribution<double> radius(1.0 - bump, 1.0 + bump);
@@ -158,10 +165,7 @@ constexpr std::size_t kRays = 100000;
 TEST(Traversal, EqualsBruteForceInATriangleSoup) {
   Random random(1);
   Scene scene;
-  for (int i = 0; i < 1000; ++i) {
-    const glm::dvec3 a = randomPoint(random, 10.0);
-    addTriangle(scene, a, a + randomPoint(random, 2.0), a + randomPoint(random, 2.0));
-  }
+  addRandomTriangles(scene, 1000, glm::dvec3(0.0), random);
   expectBvhEqualsBruteForce(scene, randomAndEdgeRays(scene, kRays, 12.0, random));
 }
 
@@ -195,8 +199,7 @@ TEST(Traversal, EqualsBruteForceInAMixture) {
   Scene scene;
   for (int i = 0; i < 500; ++i) {
     addSphere(scene, randomPoint(random, 10.0), 0.5);
-    const glm::dvec3 a = randomPoint(random, 10.0);
-    addTriangle(scene, a, a + randomPoint(random, 2.0), a + randomPoint(random, 2.0));
+    addRandomTriangles(scene, 1, glm::dvec3(0.0), random);
   }
   expectBvhEqualsBruteForce(scene, randomAndEdgeRays(scene, kRays, 12.0, random));
 }
@@ -230,10 +233,7 @@ TEST(Traversal, EqualsBruteForceFarFromTheOrigin) {
   Random random(6);
   Scene scene;
   const glm::dvec3 far(148376.0, 1234.0, -223423.0);
-  for (int i = 0; i < 1000; ++i) {
-    const glm::dvec3 a = far + randomPoint(random, 10.0);
-    addTriangle(scene, a, a + randomPoint(random, 2.0), a + randomPoint(random, 2.0));
-  }
+  addRandomTriangles(scene, 1000, far, random);
   std::vector<gpu::ProbeRay> rays = randomAndEdgeRays(scene, kRays, 12.0, random);
   for (gpu::ProbeRay& ray : rays) {
     ray.origin += glm::vec3(far);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/errors.hpp"
+
+namespace lavaray {
+
+// Runs a program's body and returns its exit code. What the body throws is printed as `name: message`.
+int runProgram(const std::string& name, const std::function<ExitCode()>& body);
+
+}  // namespace lavaray
