@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "oracle/geometry.hpp"
+#include "oracle/sampling.hpp"
 
 namespace lavaray::oracle {
 namespace {
@@ -31,6 +32,7 @@ struct PathPoint {
 };
 
 struct Trace {
+  Random* random = nullptr;  // for the directions to lights; null: lights are points
   dvec3 color{0.0};
   bool certain = true;
   std::vector<PathPoint> path;
@@ -48,8 +50,8 @@ class Tracer {
  public:
   Tracer(const Scene& scene, int maxDepth) : scene_(scene), geometry_(flatten(scene)), maxDepth_(maxDepth) {}
 
-  [[nodiscard]] Trace trace(const dvec3& direction, bool compareCoincident) const {
-    Trace result;
+  [[nodiscard]] Trace trace(const dvec3& direction, bool compareCoincident, Random* random = nullptr) const {
+    Trace result{random, {}, true, {}};
     result.color =
         radiance({dvec3(0.0), glm::normalize(direction)}, dvec3(1.0), 0, compareCoincident, result);
     return result;
@@ -97,7 +99,10 @@ class Tracer {
     PathPoint point{hit.surface, normal.direction, {}};
     dvec3 color = material.ambient;
     for (const Light& light : scene_.lights) {
-      color += lightTerm(light, position, point, -ray.direction, material, trace.certain);
+      const dvec3 center = light.position - scene_.camera.position;
+      const bool sampled = trace.random != nullptr && light.radius > 0.0;
+      const dvec3 seen = sampled ? pointOnLight(position, center, light.radius, *trace.random) : center;
+      color += lightTerm(light, seen, position, point, -ray.direction, material, trace.certain);
     }
     trace.path.push_back(std::move(point));
 
@@ -109,10 +114,10 @@ class Tracer {
     return color + material.reflectance * radiance(reflected, mirrored, depth + 1, compareCoincident, trace);
   }
 
-  // The light's share of the point's colour; adds to `point` what the light is to it.
-  dvec3 lightTerm(const Light& light, const dvec3& position, PathPoint& point, const dvec3& toViewer,
-                  const Material& material, bool& certain) const {
-    const dvec3 lightPosition = light.position - scene_.camera.position;
+  // The light's share of the point's colour, as if it were at `lightPosition`; adds to `point` what the light
+  // is to it.
+  dvec3 lightTerm(const Light& light, const dvec3& lightPosition, const dvec3& position, PathPoint& point,
+                  const dvec3& toViewer, const Material& material, bool& certain) const {
     const dvec3 toLight = lightPosition - position;
     const double distance = glm::length(toLight);
     const double scale = magnitude(position) + magnitude(lightPosition);
@@ -154,16 +159,25 @@ class Tracer {
   int maxDepth_;
 };
 
-Pixel renderPixel(const Tracer& tracer, const Camera& camera, const ImageSize& size, int x, int y,
-                  double offset) {
-  const ImageSize natural = imageSize(camera).value();
+// The part of the image plane that the image shows, divided into pixels.
+struct View {
+  double focalLength;
+  ImageSize natural, size;
+
+  // Of the ray through the point of the image, in pixels from the top left corner.
+  [[nodiscard]] dvec3 direction(double x, double y) const {
+    const double u = x * natural.width / size.width - natural.width / 2.0;
+    const double v = natural.height / 2.0 - y * natural.height / size.height;
+    return {u, v, -focalLength};
+  }
+};
+
+Pixel renderCenter(const Tracer& tracer, const View& view, int x, int y, double offset) {
   const auto traceAt = [&](double dx, double dy, bool compareCoincident) {
-    const double u = (x + 0.5 + dx) * natural.width / size.width - natural.width / 2.0;
-    const double v = natural.height / 2.0 - (y + 0.5 + dy) * natural.height / size.height;
-    return tracer.trace(dvec3(u, v, -camera.focalLength), compareCoincident);
+    return tracer.trace(view.direction(x + 0.5 + dx, y + 0.5 + dy), compareCoincident);
   };
   const Trace center = traceAt(0.0, 0.0, true);
-  Pixel pixel{glm::clamp(center.color, 0.0, 1.0), !center.certain};
+  Pixel pixel{glm::clamp(center.color, 0.0, 1.0), !center.certain, {}};
   if (offset == 0.0) return pixel;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1 && !pixel.uncertain; ++dx) {
@@ -172,6 +186,18 @@ Pixel renderPixel(const Tracer& tracer, const Camera& camera, const ImageSize& s
     }
   }
   return pixel;
+}
+
+Pixel renderSamples(const Tracer& tracer, const View& view, int x, int y, int samples, std::uint64_t seed) {
+  Random random = pixelRandom(seed, x, y);
+  Mean mean;
+  for (int i = 0; i < samples; ++i) {
+    const double dx = uniform(random);
+    const double dy = uniform(random);
+    const Trace trace = tracer.trace(view.direction(x + dx, y + dy), false, &random);
+    mean.add(glm::clamp(trace.color, 0.0, 1.0));
+  }
+  return {mean.value(), false, mean.standardError()};
 }
 
 }  // namespace
@@ -185,17 +211,22 @@ Result render(const Scene& scene, const Options& options) {
   if (options.x0 < 0 || options.y0 < 0 || options.x0 >= x1 || options.y0 >= y1) {
     throw std::invalid_argument("the crop has no pixel of the image");
   }
+  if (options.samples < 1) throw std::invalid_argument("a pixel needs at least one sample");
   Result result{x1 - options.x0, y1 - options.y0, {}};
   result.pixels.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
 
   const Tracer tracer(scene, options.maxDepth);
+  const View view{scene.camera.focalLength, *natural, size};
+  const auto renderPixel = [&](int x, int y) {
+    return options.samples == 1 ? renderCenter(tracer, view, x, y, options.probeOffset)
+                                : renderSamples(tracer, view, x, y, options.samples, options.seed);
+  };
   std::atomic<int> nextRow{0};
   const auto renderRows = [&] {
     for (int row = nextRow++; row < result.height; row = nextRow++) {
       Pixel* pixels = result.pixels.data() + static_cast<std::ptrdiff_t>(row) * result.width;
       for (int column = 0; column < result.width; ++column) {
-        pixels[column] = renderPixel(tracer, scene.camera, size, options.x0 + column, options.y0 + row,
-                                     options.probeOffset);
+        pixels[column] = renderPixel(options.x0 + column, options.y0 + row);
       }
     }
   };

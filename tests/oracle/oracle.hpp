@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -11,15 +12,22 @@
 namespace lavaray::oracle {
 
 // A second ray tracer to hold the first one against: double precision, no tree, no line shared with the
-// renderer but the scene it reads and the size of its image. One ray through each pixel's centre; lights are
-// points whatever their radius.
+// renderer but the scene it reads and the size of its image.
+//
+// With one sample there is one ray through each pixel's centre, and lights are points whatever their radius.
+// With more the pixel is the mean of samples at independent random positions in its square (box filter), each
+// clamped to [0, 1]; each sample sees each light with a radius in one random direction from each point of its
+// path. The samples are not stratified on purpose: nothing is shared with the renderer's sampler, and
+// `standardError` is an honest measure of what is left of the noise.
 
 struct Options {
   ImageSize size{};  // 0 x 0: the size that the camera asks for
   int x0 = 0, y0 = 0;
   int x1 = std::numeric_limits<int>::max(), y1 = std::numeric_limits<int>::max();  // exclusive
   int maxDepth = 8;                                                                // of mirror rays
-  double probeOffset = 0.02;  // in pixels; 0 leaves out the probes
+  int samples = 1;                                                                 // for each pixel
+  std::uint64_t seed = 0;  // of the random samples; those of a pixel depend on it and on the pixel only
+  double probeOffset = 0.02;  // in pixels; 0 leaves out the probes, as several samples do
 };
 
 // `uncertain` says that a float32 renderer could legitimately decide otherwise. It is found by tracing eight
@@ -32,6 +40,9 @@ struct Options {
 struct Pixel {
   glm::dvec3 color{0.0};  // clamped to [0, 1], not truncated
   bool uncertain = false;
+  // Of each channel's mean; 0 for one sample, and where all samples are equal: an edge that all of them miss
+  // does not show in it.
+  glm::dvec3 standardError{0.0};
 };
 
 struct Result {
@@ -40,7 +51,7 @@ struct Result {
 };
 
 // Runs on all processors; the result does not depend on their number. Throws std::invalid_argument where the
-// camera's image or the crop has no pixel.
+// camera's image or the crop has no pixel, or a pixel no sample.
 Result render(const Scene& scene, const Options& options = {});
 
 }  // namespace lavaray::oracle
