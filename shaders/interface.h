@@ -32,10 +32,17 @@ const uint kLeafShift = 28u;
 const uint kMaxReference = (1u << kLeafShift) - 1u;
 
 // llvmpipe ends every loop of an invocation, silently, once the loops of its subgroup have taken 65,535 turns
-// in all. A traversal gives up before that is certain, and an invocation handles at most so many lights; what
-// is left over goes on in another dispatch (see render.comp).
+// in all. A traversal gives up before that is certain, and an invocation traces at most so many shadow rays;
+// what is left over goes on in another dispatch (see render.comp).
 const uint kMaxTraversalSteps = 60000u;
-const uint kMaxLightsPerDispatch = 64u;
+const uint kMaxShadowRaysPerDispatch = 256u;
+
+// Samples of one pixel that a work item takes at most. They are summed in float32, so few enough that the sum
+// loses nothing that an image shows; the host adds the sums of work items without rounding.
+const uint kMaxSamplesPerItem = 4u;
+
+// A mirror ray is dropped when every channel of its weight is below.
+const float kMinReflectance = 1e-4f;
 
 // Bindings of descriptor set 0. Nodes, primitives and their planes and normals are read through texel buffer views, four
 // 32-bit words a texel (see scene_data.glsl); the others are storage buffers.
@@ -46,9 +53,11 @@ const uint kBindingCornerNormals = 3u;
 const uint kBindingPlanes = 4u;
 const uint kBindingLights = 5u;
 const uint kBindingMaterials = 6u;
-const uint kBindingPixels = 7u;
-const uint kBindingStatus = 8u;
-const uint kBindingCount = 9u;
+const uint kBindingFilter = 7u;
+const uint kBindingWork = 8u;
+const uint kBindingResults = 9u;
+const uint kBindingStates = 10u;
+const uint kBindingStatus = 11u;
 
 // Specialization constants: what the scene has, so that the pipeline holds no code for what it has not.
 const uint kSpecHasSpheres = 0u;
@@ -56,8 +65,16 @@ const uint kSpecHasTriangles = 1u;
 const uint kSpecHasCornerNormals = 2u;
 const uint kSpecPlaneCount = 3u;
 const uint kSpecLightCount = 4u;
-const uint kSpecCountRays = 5u;
-const uint kSpecCount = 6u;
+const uint kSpecHasMirrors = 5u;
+const uint kSpecHasSphericalLights = 6u;
+const uint kSpecSampling = 7u;
+const uint kSpecCountRays = 8u;
+const uint kSpecCount = 9u;
+
+// Values of kSpecSampling: where the samples of a pixel come from.
+const uint kSamplingCenter = 0u;  // one sample in the pixel's centre
+const uint kSamplingSobol = 1u;   // an Owen-scrambled Sobol sequence
+const uint kSamplingRandom = 2u;  // independent random numbers
 
 // An inner node of the BVH with the boxes of its two children.
 struct BvhNode {
@@ -115,7 +132,7 @@ LAVARAY_SIZE(Plane, 32);
 
 struct Light {
   vec3 position;
-  float padding0;
+  float radius;  // 0 is a point light
   vec3 ambient;
   float padding1;
   vec3 diffuse;
@@ -132,29 +149,51 @@ struct Material {
   float padding0;
   vec3 specular;
   float padding1;
+  vec3 reflectance;
+  float padding2;
 };
-LAVARAY_SIZE(Material, 48);
+LAVARAY_SIZE(Material, 64);
 
-// A pixel while it is rendered: the light it adds up, and the first light that is still missing, or
-// kPixelFinished.
-struct Pixel {
-  vec3 color;
-  uint nextLight;
+// Some samples of one pixel: `count` of them from number `first` on, in the pixel's sequence number `sequence`.
+struct WorkItem {
+  uint pixel;  // of the cropped image, counted row by row
+  uint sequence;
+  uint first;
+  uint count;
 };
-LAVARAY_SIZE(Pixel, 16);
-const uint kPixelFinished = 0xFFFFFFFFu;
+LAVARAY_SIZE(WorkItem, 16);
+
+// The sum of a work item's colours, each clamped to [0, 1].
+struct WorkResult {
+  vec3 sum;
+  uint finished;  // 0: the item needs another dispatch
+};
+LAVARAY_SIZE(WorkResult, 16);
+
+// How far an unfinished work item has come: its finished samples, and of the one under way the path's colour so
+// far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i).
+struct WorkState {
+  vec3 sum;
+  uint taken;  // samples
+  vec3 color;
+  uint bounce;
+  uint step;
+  uint padding0;
+  uint padding1;
+  uint padding2;
+};
+LAVARAY_SIZE(WorkState, 48);
 
 // What a dispatch tells the host.
 struct DispatchStatus {
-  uint unfinished;  // pixels that need another dispatch
-  uint stuck;       // pixels that got no further in this one: another would not help
-  uint shadowRays;  // counted where kSpecCountRays is set
-  uint padding;
+  uint unfinished;  // work items that need another dispatch
+  uint stuck;       // of them, those that got no further in this one
+  uint shadowRays;  // these two are counted where kSpecCountRays is set
+  uint mirrorRays;
 };
 LAVARAY_SIZE(DispatchStatus, 16);
 
-// Push constants: a dispatch renders the pixels firstPixel .. firstPixel + pixelCount - 1 of the cropped
-// image, counted row by row.
+// Push constants.
 struct DispatchConstants {
   vec2 pixelSize;      // of an output pixel on the camera's image plane
   vec2 halfImage;      // half of the image plane's extent
@@ -162,12 +201,16 @@ struct DispatchConstants {
   uint cropX;          // left and top of the crop, in pixels
   uint cropY;
   uint cropWidth;
-  uint firstPixel;
-  uint pixelCount;
-  uint resume;         // 1: only pixels that an earlier dispatch left unfinished
+  uint itemCount;
+  uint resume;         // 1: only items that an earlier dispatch left unfinished
   uint rootReference;  // the BVH's root
+  uint seed;
+  uint maxDepth;       // mirror bounces
+  uint filterSize;     // entries of the filter's table; 0 is the box
+  uint firstPixel;     // of the items, where they are consecutive pixels (kSamplingCenter)
+  uint padding0;
 };
-LAVARAY_SIZE(DispatchConstants, 48);
+LAVARAY_SIZE(DispatchConstants, 64);
 
 #ifdef __cplusplus
 }  // namespace lavaray::gpu

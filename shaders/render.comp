@@ -1,77 +1,92 @@
-// Renders the pixels of one dispatch, an invocation each.
+// Takes the samples of one work item an invocation.
 //
-// A pixel that is not finished in one dispatch (it has more lights than one handles, or the device ended the
-// loops) keeps what it has in its Pixel and goes on in the next: it traces its camera ray once more, which
-// gives the same bits, and adds the lights that are missing, in their order. So the sum is the same whatever
-// the dispatches.
+// An item that is not finished in one dispatch (it has more shadow rays than one allows, or the device ended the
+// loops) leaves its state behind and goes on from there in the next. The sum is the same whatever the dispatches.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
 #include "camera.glsl"
-#include "shade.glsl"
+#include "path.glsl"
 
 layout(local_size_x = kWorkGroupSize) in;
 
 layout(constant_id = kSpecCountRays) const bool kCountRays = false;
 
-layout(std430, set = 0, binding = kBindingPixels) buffer Pixels { Pixel pixels[]; };
+layout(std430, set = 0, binding = kBindingWork) readonly buffer Work { WorkItem work[]; };
+layout(std430, set = 0, binding = kBindingResults) buffer Results { WorkResult results[]; };
+layout(std430, set = 0, binding = kBindingStates) buffer States { WorkState states[]; };
 layout(std430, set = 0, binding = kBindingStatus) buffer Status { DispatchStatus status; };
 layout(push_constant) uniform PushConstants { DispatchConstants constants; };
 
-Ray cameraRay(uint pixelIndex) {
-  const uvec2 pixel = uvec2(pixelIndex % constants.cropWidth, pixelIndex / constants.cropWidth);
-  const vec2 position = (vec2(pixel + uvec2(constants.cropX, constants.cropY)) + 0.5) * constants.pixelSize;
-  return Ray(vec3(0.0), cameraDirection(position, constants.halfImage, constants.focalLength));
-}
-
-// Adds lights from pixel.nextLight on; that is where it stops where it cannot finish.
-void addLights(Ray ray, Hit hit, Material material, inout Pixel pixel, inout uint shadowRays) {
-  const SurfacePoint point = surfacePoint(ray, hit);
-  const vec3 toViewer = -unit(ray.direction);
-  const uint end = min(kLightCount, pixel.nextLight + kMaxLightsPerDispatch);
-  for (; pixel.nextLight < end; ++pixel.nextLight) {
-    const Light light = lights[pixel.nextLight];
-    bool blocked;
-    if (!findShadow(point, hit.surface, light.position, constants.rootReference, blocked)) return;
-    ++shadowRays;
-    if (!blocked) {
-      pixel.color += phong(material, light, point.shadingNormal, unit(light.position - point.position), toViewer);
-    }
+Ray sampleRay(uvec2 pixel, uint index, uint seed) {
+  vec2 offset = vec2(0.0);
+  if (kSampling != kSamplingCenter) {
+    const vec2 u = samplePair(index, hashCombine(seed, 0u));
+    offset = vec2(filterOffset(u.x, constants.filterSize), filterOffset(u.y, constants.filterSize));
   }
+  const vec2 position = (vec2(pixel) + 0.5 + offset) * constants.pixelSize;
+  return cameraRay(position, constants.halfImage, constants.focalLength);
 }
 
 // Clamped to [0, 1]; written so that a NaN becomes 0.
 float displayed(float c) { return c > 0.0 ? min(c, 1.0) : 0.0; }
+vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g), displayed(color.b)); }
+
+// Takes samples from state.taken on. Returns false where it could not take them all.
+bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
+  const uvec2 pixel = uvec2(item.pixel % constants.cropWidth + constants.cropX,
+                            item.pixel / constants.cropWidth + constants.cropY);
+  const uint pixelSeed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), item.sequence);
+  const uint count = kSampling == kSamplingCenter ? 1u : item.count;
+  for (; state.taken < count; ++state.taken) {
+    const uint index = item.first + state.taken;
+    PathState path = PathState(state.color, state.bounce, state.step);
+    const bool finished = tracePath(sampleRay(pixel, index, pixelSeed),
+                                    PathSettings(constants.rootReference, constants.maxDepth, index, pixelSeed),
+                                    path, counts);
+    if (!finished) {
+      state.color = path.color;
+      state.bounce = path.bounce;
+      state.step = path.step;
+      return false;
+    }
+    state.sum += displayed(path.color);
+    state.color = vec3(0.0);
+    state.bounce = 0u;
+    state.step = 0u;
+  }
+  return state.taken == count;
+}
+
+// Without sequences the items are consecutive pixels, which need not be read.
+WorkItem workItem(uint index) {
+  if (kSampling == kSamplingCenter) return WorkItem(constants.firstPixel + index, 0u, 0u, 1u);
+  return work[index];
+}
+
+bool sameProgress(WorkState a, WorkState b) {
+  return a.taken == b.taken && a.bounce == b.bounce && a.step == b.step;
+}
 
 void main() {
   const uint index = gl_GlobalInvocationID.x;
-  if (index >= constants.pixelCount) return;
-  const bool resume = constants.resume != 0u;
-  Pixel pixel = Pixel(vec3(0.0), 0u);
-  if (resume) {
-    pixel = pixels[index];
-    if (pixel.nextLight == kPixelFinished) return;
+  if (index >= constants.itemCount) return;
+  WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0u, 0u, 0u);
+  if (constants.resume != 0u) {
+    if (results[index].finished != 0u) return;
+    state = states[index];
   }
-  const uint firstLight = pixel.nextLight;
-
-  const Ray ray = cameraRay(constants.firstPixel + index);
-  Hit hit = missUpTo(kInfinity);
-  const bool found = findHit(false, ray, kNoSurface, constants.rootReference, hit);
-  uint shadowRays = 0u;
-  if (found && hit.surface != kNoSurface) {
-    const Material material = materials[hit.object];
-    if (!resume) pixel.color = material.ambient;
-    addLights(ray, hit, material, pixel, shadowRays);
+  const WorkState before = state;
+  RayCounts counts = RayCounts(0u, 0u);
+  const bool finished = takeSamples(workItem(index), state, counts);
+  if (kCountRays) {
+    atomicAdd(status.shadowRays, counts.shadow);
+    atomicAdd(status.mirrorRays, counts.mirror);
   }
-  if (kCountRays) atomicAdd(status.shadowRays, shadowRays);
-
-  const bool finished = found && (hit.surface == kNoSurface || pixel.nextLight == kLightCount);
-  if (finished) {
-    pixel.color = vec3(displayed(pixel.color.r), displayed(pixel.color.g), displayed(pixel.color.b));
-    pixel.nextLight = kPixelFinished;
-  } else {
+  if (!finished) {
     atomicAdd(status.unfinished, 1u);
-    if (pixel.nextLight == firstLight) atomicAdd(status.stuck, 1u);
+    if (sameProgress(state, before)) atomicAdd(status.stuck, 1u);
+    states[index] = state;
   }
-  pixels[index] = pixel;
+  results[index] = WorkResult(state.sum, finished ? 1u : 0u);
 }

@@ -13,6 +13,8 @@ layout(constant_id = kSpecHasTriangles) const bool kHasTriangles = true;
 layout(constant_id = kSpecHasCornerNormals) const bool kHasCornerNormals = true;
 layout(constant_id = kSpecPlaneCount) const uint kPlaneCount = 0u;
 layout(constant_id = kSpecLightCount) const uint kLightCount = 0u;
+layout(constant_id = kSpecHasMirrors) const bool kHasMirrors = false;
+layout(constant_id = kSpecHasSphericalLights) const bool kHasSphericalLights = false;
 
 layout(set = 0, binding = kBindingNodes) uniform utextureBuffer nodeTexels;
 layout(set = 0, binding = kBindingPrimitives) uniform utextureBuffer primitiveTexels;

@@ -31,8 +31,8 @@ float shadowRayEnd(vec3 origin, vec3 light, vec3 direction) {
   return 1.0 - kPositionUlps * kHalfUlp * magnitude / maxComponent(abs(direction));
 }
 
-// Sets `blocked` to whether a surface other than `surface` lies between its point and the light. Returns false
-// if the device ended the search early.
+// Sets `blocked` to whether a surface other than `surface` lies between its point and a point of the light.
+// Returns false if the device ended the search early.
 bool findShadow(SurfacePoint point, uint surface, vec3 light, uint root, out bool blocked) {
   blocked = false;
   const vec3 origin = leave(point, light - point.position);

@@ -36,13 +36,28 @@ class Output {
   ImageFormat format_ = ImageFormat::kPpm;
 };
 
-ExitCode render(const Options& options, const Scene& scene, StepTimes& times) {
-  const std::atomic<bool>& stop = catchInterrupts();
-  const ImageSize size = outputSize(options, imageSize(scene.camera).value());
-  const Rectangle whole{0, 0, size.width, size.height};
-  const Rectangle part = outputCrop(options, size);
+RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
+  RenderSettings settings;
+  settings.size = size;
   // A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
-  const RenderSettings settings{size, options.normalize ? whole : part, options.stats};
+  settings.crop = options.normalize ? Rectangle{0, 0, size.width, size.height} : part;
+  settings.maxDepth = options.maxDepth;
+  settings.samples = options.samples;
+  settings.sampler = options.sampler;
+  settings.filter = options.filter;
+  settings.seed = options.seed;
+  settings.targetError = options.targetError;
+  settings.maxSamples = options.maxSamples;
+  settings.timeLimitSeconds = options.timeLimitSeconds;
+  settings.countRays = options.stats;
+  return settings;
+}
+
+ExitCode renderScene(const Options& options, const Scene& scene, StepTimes& times) {
+  const std::atomic<bool>& interrupted = catchInterrupts();
+  const ImageSize size = outputSize(options, imageSize(scene.camera).value());
+  const Rectangle part = outputCrop(options, size);
+  const RenderSettings settings = renderSettings(options, size, part);
   Output output(options.output);
 
   const GpuScene gpuScene = flatten(scene, hardwareThreads());
@@ -51,9 +66,7 @@ ExitCode render(const Options& options, const Scene& scene, StepTimes& times) {
   vulkan::Device device(vulkan::chooseDevice(instance, options.device));
   if (options.verbose) std::cerr << "device: " << device.description().name << '\n';
   times.endStep("open device");
-  Renderer renderer(device, gpuScene, scene.camera, settings);
-  times.endStep("upload, pipeline");
-  RenderResult result = renderer.render(stop);
+  RenderResult result = render(device, gpuScene, scene.camera, settings, interrupted);
   times.endStep("render");
 
   if (options.normalize) {
@@ -63,10 +76,10 @@ ExitCode render(const Options& options, const Scene& scene, StepTimes& times) {
   output.write(result.image);
   times.endStep("write image");
   if (options.stats) {
-    printStatistics(std::cerr, scene, gpuScene, device, renderer, result);
+    printStatistics(std::cerr, scene, gpuScene, device, result);
     times.print(std::cerr);
   }
-  if (!result.complete) {
+  if (result.stopReason == StopReason::kInterrupted) {
     const std::string name = options.output == "-" ? "stdout" : options.output;
     throw Error(ExitCode::kInterrupted,
                 "interrupted; " + name + " holds what was rendered, the rest is black");
@@ -81,14 +94,15 @@ ExitCode run(const Options& options) {
     return ExitCode::kSuccess;
   }
   StepTimes times;
-  const Scene scene = readScene(options.scene);
+  Scene scene = readScene(options.scene);
+  applyDefaults(options, scene);
   times.endStep("read scene");
   for (const std::string& warning : scene.warnings) std::cerr << "warning: " << warning << '\n';
   if (options.check) {
     printScene(std::cerr, scene);
     return ExitCode::kSuccess;
   }
-  return render(options, scene, times);
+  return renderScene(options, scene, times);
 }
 
 }  // namespace

@@ -32,10 +32,58 @@ void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
       ->delimiter(',')
       ->expected(4);
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
-  app.add_option("--max-depth", options.maxDepth,
-                 "Mirror bounces, 0 to 1000 (this version renders no mirrors)")
+}
+
+void addSamplingOptions(CLI::App& app, Options& options) {
+  CLI::Option* spp = app.add_option("--spp", options.samples, "Samples per pixel; 1 is the pixel's centre")
+                         ->type_name("N")
+                         ->check(CLI::Range(std::uint32_t{1}, kMostSamples))
+                         ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--filter", [&options](const std::string& name) { options.filter = pixelFilter(name).value(); },
+         "Pixel filter: box, tent, gaussian or blackman-harris. Default: box")
+      ->type_name("NAME")
+      ->check([](const std::string& name) {
+        return pixelFilter(name) ? std::string()
+                                 : "there is no filter " + name + ", allowed are " + kPixelFilterNames;
+      });
+  app.add_option("--target-error", options.targetError,
+                 "Sample until the image's RMSE is estimated to be at most E (colours in 0..1)")
+      ->type_name("E")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->excludes(spp);
+  app.add_option("--max-spp", options.maxSamples, "Samples per pixel that --target-error may take")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint32_t{2}, kMostSamples))
+      ->capture_default_str();
+  app.add_option("--time-limit", options.timeLimitSeconds, "Stop sampling after S seconds")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9));
+  app.add_option("--seed", options.seed, "Other samples of the same picture")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--sampler",
+         [&options](const std::string& name) {
+           options.sampler = name == "random" ? Sampler::kRandom : Sampler::kSobol;
+         },
+         "Sample positions: sobol (Owen-scrambled) or random, for comparison. Default: sobol")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"sobol", "random"}));
+}
+
+void addSceneOptions(CLI::App& app, Options& options) {
+  app.add_option("--max-depth", options.maxDepth, "Mirror bounces, 0 to 1000")
       ->type_name("N")
       ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--reflect", options.reflect, "Materials without `ref` mirror K times their specular colour")
+      ->type_name("K")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--light-radius", options.lightRadius, "Lights without `rad` are spheres of radius R")
+      ->type_name("R")
+      ->check(CLI::Range(0.0, kMaxMagnitude))
       ->capture_default_str();
 }
 
@@ -76,6 +124,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
       "5 output not written, 130 interrupted.");
   app.add_option("SCENE", options.scene, "Scene file to render");
   addRenderOptions(app, options, crop);
+  addSamplingOptions(app, options);
+  addSceneOptions(app, options);
   addOtherOptions(app, options);
   try {
     app.parse(argc, argv);
@@ -92,6 +142,15 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   checkOutput(options.output);
   if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};
   return options;
+}
+
+void applyDefaults(const Options& options, Scene& scene) {
+  for (Material& material : scene.materials) {
+    if (!material.statesReflectance) material.reflectance = options.reflect * material.specular;
+  }
+  for (Light& light : scene.lights) {
+    if (!light.statesRadius) light.radius = options.lightRadius;
+  }
 }
 
 ImageSize outputSize(const Options& options, const ImageSize& cameraSize) {

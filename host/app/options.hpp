@@ -5,7 +5,9 @@
 #include <string>
 
 #include "core/camera.hpp"
+#include "core/scene.hpp"
 #include "image/image.hpp"
+#include "render/settings.hpp"
 
 namespace lavaray {
 
@@ -17,7 +19,16 @@ struct Options {
   std::optional<int> height;
   std::optional<Rectangle> crop;
   bool normalize = false;
-  int maxDepth = 8;
+  std::uint32_t samples = 1;
+  Sampler sampler = Sampler::kSobol;
+  PixelFilter filter = PixelFilter::kBox;
+  std::optional<double> targetError;
+  std::uint32_t maxSamples = 65536;
+  std::optional<double> timeLimitSeconds;
+  std::uint32_t seed = 0;
+  std::uint32_t maxDepth = 8;
+  double reflect = 0.0;
+  double lightRadius = 0.0;
   std::string device;
   bool listDevices = false;
   bool check = false;
@@ -33,6 +44,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv);
 // The size of the image: the camera's, or the one asked for, where a missing side keeps the camera's aspect.
 // Throws Error(kUsage) where a side or the crop is out of range.
 ImageSize outputSize(const Options& options, const ImageSize& cameraSize);
+
+// Gives materials and lights that say nothing of it the reflectance and the radius that the options ask for.
+void applyDefaults(const Options& options, Scene& scene);
 
 // The part of an image of `size` to render. Throws Error(kUsage) where it is not inside.
 Rectangle outputCrop(const Options& options, const ImageSize& size);

@@ -23,6 +23,20 @@ double mebibytes(std::size_t bytes) {
   return static_cast<double>(bytes) / (1U << 20U);
 }
 
+const char* describe(StopReason reason) {
+  switch (reason) {
+    case StopReason::kMaxSamples:
+      return "with the most samples allowed";
+    case StopReason::kTimeLimit:
+      return "at the time limit";
+    case StopReason::kInterrupted:
+      return "interrupted";
+    case StopReason::kFinished:
+      break;
+  }
+  return "finished";
+}
+
 long peakMemoryKilobytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -69,18 +83,26 @@ void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription
 }
 
 void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuScene,
-                     const vulkan::Device& device, const Renderer& renderer, const RenderResult& result) {
+                     const vulkan::Device& device, const RenderResult& result) {
   printScene(out, scene);
   const BvhQuality& bvh = gpuScene.bvhQuality;
   out << std::fixed << std::setprecision(2) << "bvh\n  primitives      " << gpuScene.primitives.size() << " ("
       << gpuScene.droppedDuplicates << " duplicates dropped)\n  inner nodes     " << bvh.innerNodes
       << "\n  leaves          " << bvh.leaves << " of " << bvh.leafSize
       << " primitives in the mean\n  depth           " << bvh.depth << " of at most " << gpu::kMaxBvhDepth
-      << "\n  SAH cost        " << bvh.sahCost << "\nrays\n  camera          " << result.cameraRays
-      << "\n  shadow          " << result.shadowRays << "\ndevice\n  name            "
-      << device.description().name << "\n  driver          " << device.description().driver
-      << "\n  buffers         " << mebibytes(renderer.deviceBytes()) << " MiB\n  dispatches      "
-      << result.dispatches << "\nmemory\n  process, peak   "
+      << "\n  SAH cost        " << bvh.sahCost << '\n';
+  const double pixels = static_cast<double>(result.image.width) * result.image.height;
+  out << "rays\n  camera          " << result.counts.samples << " ("
+      << static_cast<double>(result.counts.samples) / pixels << " a pixel)\n  mirror          "
+      << result.counts.mirrorRays << "\n  shadow          " << result.counts.shadowRays
+      << "\nsampling\n  stopped         " << describe(result.stopReason) << '\n';
+  if (result.estimatedError > 0.0) {
+    out << "  estimated RMSE  " << std::setprecision(6) << result.estimatedError << std::setprecision(2)
+        << '\n';
+  }
+  out << "device\n  name            " << device.description().name << "\n  driver          "
+      << device.description().driver << "\n  buffers         " << mebibytes(result.deviceBytes)
+      << " MiB\n  dispatches      " << result.counts.dispatches << "\nmemory\n  process, peak   "
       << static_cast<double>(peakMemoryKilobytes()) / 1024.0 << " MiB\n";
 }
 

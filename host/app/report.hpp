@@ -34,6 +34,6 @@ void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription
 
 // Everything of --stats but the times.
 void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuScene,
-                     const vulkan::Device& device, const Renderer& renderer, const RenderResult& result);
+                     const vulkan::Device& device, const RenderResult& result);
 
 }  // namespace lavaray

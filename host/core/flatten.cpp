@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "core/parallel.hpp"
 #include "core/primitives.hpp"
@@ -100,12 +101,16 @@ GpuScene flatten(const Scene& scene, unsigned threads) {
   const glm::dvec3 origin = scene.camera.position;
   for (const Plane& plane : scene.planes) result.planes.push_back(flattenPlane(plane, origin));
   for (const Light& light : scene.lights) {
-    result.lights.push_back(
-        {light.position - origin, 0.0F, light.ambient, 0.0F, light.diffuse, 0.0F, light.specular, 0.0F});
+    result.lights.push_back({light.position - origin, static_cast<float>(light.radius), light.ambient, 0.0F,
+                             light.diffuse, 0.0F, light.specular, 0.0F});
+    result.hasSphericalLights = result.hasSphericalLights || light.radius > 0.0;
   }
   for (const Material& material : scene.materials) {
     result.materials.push_back({material.ambient, static_cast<float>(material.shininess), material.diffuse,
-                                0.0F, material.specular, 0.0F});
+                                0.0F, material.specular, 0.0F, material.reflectance, 0.0F});
+    result.hasMirrors =
+        result.hasMirrors ||
+        glm::any(glm::greaterThanEqual(result.materials.back().reflectance, glm::vec3(gpu::kMinReflectance)));
   }
   return result;
 }

@@ -23,6 +23,8 @@ struct GpuScene {
   bool hasSpheres = false;
   bool hasTriangles = false;
   bool hasCornerNormals = false;
+  bool hasMirrors = false;
+  bool hasSphericalLights = false;
   BvhQuality bvhQuality;
   std::size_t droppedDuplicates = 0;  // primitives that coincide with another and can never be seen
 };

@@ -19,7 +19,8 @@ struct Material {
   glm::dvec3 diffuse{0.0};
   glm::dvec3 specular{0.0};
   double shininess = 0.0;
-  glm::dvec3 reflectance{0.0};  // of the perfect mirror; 0 is none
+  glm::dvec3 reflectance{0.0};     // of the perfect mirror; 0 is none
+  bool statesReflectance = false;  // whether the file does
 };
 
 // Looks down -z with +y up.
@@ -76,7 +77,8 @@ struct Light {
   glm::dvec3 ambient{0.0};
   glm::dvec3 diffuse{0.0};
   glm::dvec3 specular{0.0};
-  double radius = 0.0;  // 0 is a point light
+  double radius = 0.0;        // 0 is a point light
+  bool statesRadius = false;  // whether the file does
 };
 
 struct Scene {

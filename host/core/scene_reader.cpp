@@ -160,7 +160,8 @@ void SceneReader::addLight(const Block& block) {
                            .ambient = block.vector("amb"),
                            .diffuse = block.vector(diffuse),
                            .specular = block.vector(specular),
-                           .radius = block.number("rad")});
+                           .radius = block.number("rad"),
+                           .statesRadius = block.has("rad")});
 }
 
 // Returns the number of the object.
@@ -169,7 +170,8 @@ std::uint32_t SceneReader::addMaterial(const Block& block) {
                               .diffuse = block.vector("dif"),
                               .specular = block.vector("spe"),
                               .shininess = block.number("shi"),
-                              .reflectance = block.vector("ref")});
+                              .reflectance = block.vector("ref"),
+                              .statesReflectance = block.has("ref")});
   return static_cast<std::uint32_t>(scene_.materials.size() - 1);
 }
 

@@ -2,119 +2,130 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstring>
-#include <string>
 
-#include "core/errors.hpp"
-#include "render/scene_buffers.hpp"
-#include "renderSpirv.spv.h"
+#include "render/adaptive.hpp"
+#include "render/pixel_sum.hpp"
 
 namespace lavaray {
 namespace {
 
-// A piece never has more pixels, so that the pixel buffer stays small whatever the image's size.
-constexpr std::uint64_t kMaxPiecePixels = std::uint64_t{1} << 20U;
-constexpr std::uint32_t kFirstPiecePixels = 1U << 14U;
-constexpr double kPieceSeconds = 0.1;
+using Clock = std::chrono::steady_clock;
 
-std::uint64_t pixelsOf(const Rectangle& area) {
-  return static_cast<std::uint64_t>(area.x1 - area.x0) * static_cast<std::uint64_t>(area.y1 - area.y0);
-}
+// A fixed number of samples is taken in rounds of so many a pixel, so that a render that is stopped has about
+// the same number everywhere.
+constexpr std::uint32_t kRoundSamples = 64;
 
-gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSettings& settings,
-                                         const GpuScene& scene) {
-  const ImageSize plane = imageSize(camera).value();
-  gpu::DispatchConstants constants{};
-  constants.pixelSize =
-      glm::dvec2(plane.width, plane.height) / glm::dvec2(settings.size.width, settings.size.height);
-  constants.halfImage = glm::dvec2(plane.width, plane.height) / 2.0;
-  constants.focalLength = static_cast<float>(camera.focalLength);
-  constants.cropX = static_cast<gpu::uint>(settings.crop.x0);
-  constants.cropY = static_cast<gpu::uint>(settings.crop.y0);
-  constants.cropWidth = static_cast<gpu::uint>(settings.crop.x1 - settings.crop.x0);
-  constants.rootReference = scene.rootReference;
-  return constants;
-}
+class Render {
+ public:
+  Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings,
+         const std::atomic<bool>& interrupted)
+      : settings_(settings),
+        interrupted_(interrupted),
+        width_(settings.crop.x1 - settings.crop.x0),
+        height_(settings.crop.y1 - settings.crop.y0),
+        pixels_(static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_)),
+        tracer_(device, scene, camera, settings, pixels_ * itemsPerPixel()) {
+    result_.image = {width_, height_, std::vector<float>(3 * pixels_)};
+  }
+
+  RenderResult run() {
+    if (settings_.targetError) {
+      renderToTarget();
+    } else if (settings_.samples == 1) {
+      renderCenters();
+    } else {
+      renderSamples();
+    }
+    result_.counts = tracer_.counts();
+    result_.deviceBytes = tracer_.deviceBytes();
+    return std::move(result_);
+  }
+
+ private:
+  // Work items of a pixel in one round.
+  [[nodiscard]] std::uint64_t itemsPerPixel() const {
+    if (settings_.targetError) return 2;
+    return (std::min(settings_.samples, kRoundSamples) + gpu::kMaxSamplesPerItem - 1) /
+           gpu::kMaxSamplesPerItem;
+  }
+
+  bool shouldStop() {
+    if (interrupted_) {
+      result_.stopReason = StopReason::kInterrupted;
+      return true;
+    }
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (settings_.timeLimitSeconds && seconds >= *settings_.timeLimitSeconds) {
+      result_.stopReason = StopReason::kTimeLimit;
+      return true;
+    }
+    return false;
+  }
+
+  void setPixel(std::uint64_t pixel, const glm::vec3& color) {
+    for (int channel = 0; channel < 3; ++channel) result_.image.rgb[3 * pixel + channel] = color[channel];
+  }
+
+  void renderCenters() {
+    tracer_.run(
+        pixels_, {}, [&](std::uint64_t pixel, const glm::vec3& color) { setPixel(pixel, color); },
+        [&] { return shouldStop(); });
+  }
+
+  void renderSamples() {
+    std::vector<PixelSum> sums(pixels_);
+    for (std::uint32_t done = 0; done < settings_.samples; done += kRoundSamples) {
+      const std::uint32_t samples = std::min(kRoundSamples, settings_.samples - done);
+      const std::uint32_t items = (samples + gpu::kMaxSamplesPerItem - 1) / gpu::kMaxSamplesPerItem;
+      const auto makeItem = [&](std::uint64_t index) {
+        const auto offset = static_cast<std::uint32_t>(index % items) * gpu::kMaxSamplesPerItem;
+        return gpu::WorkItem{static_cast<gpu::uint>(index / items), 0, done + offset,
+                             std::min(gpu::kMaxSamplesPerItem, samples - offset)};
+      };
+      const auto takeResult = [&](std::uint64_t index, const glm::vec3& sum) {
+        sums[index / items].add(sum, makeItem(index).count);
+      };
+      if (!tracer_.run(pixels_ * items, makeItem, takeResult, [&] { return shouldStop(); })) break;
+    }
+    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) setPixel(pixel, sums[pixel].mean());
+  }
+
+  void renderToTarget() {
+    AdaptiveSampling adaptive(width_, height_, *settings_.targetError, settings_.maxSamples);
+    for (;;) {
+      const std::vector<gpu::WorkItem> items = adaptive.nextItems();
+      if (items.empty()) {
+        result_.stopReason = adaptive.reachedTarget() ? StopReason::kFinished : StopReason::kMaxSamples;
+        break;
+      }
+      const auto takeResult = [&](std::uint64_t index, const glm::vec3& sum) {
+        adaptive.add(items[index], sum);
+      };
+      if (!tracer_.run(
+              items.size(), [&](std::uint64_t index) { return items[index]; }, takeResult,
+              [&] { return shouldStop(); })) {
+        break;
+      }
+    }
+    result_.estimatedError = adaptive.estimatedError();
+    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) setPixel(pixel, adaptive.mean(pixel));
+  }
+
+  RenderSettings settings_;
+  const std::atomic<bool>& interrupted_;
+  Clock::time_point start_ = Clock::now();
+  int width_;
+  int height_;
+  std::uint64_t pixels_;
+  Tracer tracer_;
+  RenderResult result_;
+};
 
 }  // namespace
 
-Renderer::Renderer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
-                   const RenderSettings& settings)
-    : device_(device), settings_(settings), constants_(dispatchConstants(camera, settings, scene)) {
-  const std::uint64_t reachable =
-      std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::Pixel),
-                              std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
-  capacity_ = static_cast<std::uint32_t>(std::min({kMaxPiecePixels, reachable, pixelsOf(settings.crop)}));
-  buffers_ = uploadScene(device, scene);
-  buffers_.push_back(vulkan::Buffer::shared(device, "pixels", capacity_ * sizeof(gpu::Pixel)));
-  buffers_.push_back(vulkan::Buffer::shared(device, "dispatch status", sizeof(gpu::DispatchStatus)));
-  shader_.emplace(device, renderSpirv, specializationFor(scene, settings.countRays), buffers_,
-                  sizeof constants_);
-}
-
-std::size_t Renderer::deviceBytes() const {
-  std::size_t bytes = 0;
-  for (const vulkan::Buffer& buffer : buffers_) bytes += buffer.size();
-  return bytes;
-}
-
-RenderResult Renderer::render(const std::atomic<bool>& stop) {
-  using Clock = std::chrono::steady_clock;
-  RenderResult result;
-  result.image.width = settings_.crop.x1 - settings_.crop.x0;
-  result.image.height = settings_.crop.y1 - settings_.crop.y0;
-  const std::uint64_t total = pixelsOf(settings_.crop);
-  result.image.rgb.resize(3 * total);
-
-  double piece = kFirstPiecePixels;
-  for (std::uint64_t first = 0; first < total;) {
-    if (stop) {
-      result.complete = false;
-      break;
-    }
-    const auto count = static_cast<std::uint32_t>(
-        std::min({static_cast<std::uint64_t>(piece), std::uint64_t{capacity_}, total - first}));
-    const Clock::time_point start = Clock::now();
-    renderPiece(first, count, result);
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    // The first piece's time says nothing: drivers compile the shader in it.
-    const double factor = first == 0 ? 4.0 : std::clamp(kPieceSeconds / seconds, 0.25, 4.0);
-    piece = std::clamp(piece * factor, double{gpu::kWorkGroupSize}, static_cast<double>(kMaxPiecePixels));
-    first += count;
-  }
-  return result;
-}
-
-// Dispatches until every pixel of the piece is finished, and takes their colours.
-void Renderer::renderPiece(std::uint64_t firstPixel, std::uint32_t pixelCount, RenderResult& result) {
-  const vulkan::Buffer& pixelBuffer = buffers_[gpu::kBindingPixels];
-  auto* status = reinterpret_cast<gpu::DispatchStatus*>(buffers_[gpu::kBindingStatus].bytes());
-  constants_.firstPixel = static_cast<gpu::uint>(firstPixel);
-  constants_.pixelCount = pixelCount;
-  constants_.resume = 0;
-  std::uint32_t unfinishedBefore = pixelCount + 1;
-  do {
-    *status = {};
-    shader_->dispatch((pixelCount + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
-                      std::as_bytes(std::span(&constants_, 1)));
-    ++result.dispatches;
-    result.shadowRays += status->shadowRays;
-    const bool nothingMoved = status->stuck == status->unfinished && status->unfinished == unfinishedBefore;
-    if (status->unfinished > 0 && nothingMoved) {
-      throw Error(ExitCode::kDevice, device_.description().name + " ends a shader's loops before " +
-                                         std::to_string(status->stuck) +
-                                         " rays are through: too many surfaces overlap there");
-    }
-    unfinishedBefore = status->unfinished;
-    constants_.resume = 1;
-  } while (status->unfinished > 0);
-
-  const auto* pixels = reinterpret_cast<const gpu::Pixel*>(pixelBuffer.bytes());
-  float* rgb = result.image.rgb.data() + 3 * firstPixel;
-  for (std::uint32_t i = 0; i < pixelCount; ++i)
-    std::memcpy(rgb + 3 * i, &pixels[i].color, 3 * sizeof(float));
-  result.cameraRays += pixelCount;
+RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
+                    const RenderSettings& settings, const std::atomic<bool>& interrupted) {
+  return Render(device, scene, camera, settings, interrupted).run();
 }
 
 }  // namespace lavaray

@@ -33,14 +33,15 @@ std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& 
   return buffers;
 }
 
-std::vector<std::uint32_t> specializationFor(const GpuScene& scene, bool countRays) {
+std::vector<std::uint32_t> specializationFor(const GpuScene& scene) {
   std::vector<std::uint32_t> values(gpu::kSpecCount);
   values[gpu::kSpecHasSpheres] = scene.hasSpheres ? 1 : 0;
   values[gpu::kSpecHasTriangles] = scene.hasTriangles ? 1 : 0;
   values[gpu::kSpecHasCornerNormals] = scene.hasCornerNormals ? 1 : 0;
   values[gpu::kSpecPlaneCount] = static_cast<std::uint32_t>(scene.planes.size());
   values[gpu::kSpecLightCount] = static_cast<std::uint32_t>(scene.lights.size());
-  values[gpu::kSpecCountRays] = countRays ? 1 : 0;
+  values[gpu::kSpecHasMirrors] = scene.hasMirrors ? 1 : 0;
+  values[gpu::kSpecHasSphericalLights] = scene.hasSphericalLights ? 1 : 0;
   return values;
 }
 

@@ -12,7 +12,7 @@ namespace lavaray {
 // own buffers follow. Throws Error(kDevice) where an array is larger than the device lets a shader reach.
 std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene);
 
-// The specialization constants for what the scene has, by gpu::kSpec...
-std::vector<std::uint32_t> specializationFor(const GpuScene& scene, bool countRays);
+// The specialization constants, by gpu::kSpec..., with those set that say what the scene has.
+std::vector<std::uint32_t> specializationFor(const GpuScene& scene);
 
 }  // namespace lavaray

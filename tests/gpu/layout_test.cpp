@@ -37,6 +37,14 @@ void append(std::vector<std::uint32_t>& words, const Struct& value) {
   words.insert(words.end(), valueWords.begin(), valueWords.end());
 }
 
+// The arrays of layout_probe.comp's first buffer.
+struct Shared {
+  std::array<gpu::WorkItem, 2> items;
+  std::array<gpu::WorkState, 2> states;
+  std::array<gpu::WorkResult, 2> results;
+  std::array<gpu::DispatchStatus, 2> statuses;
+};
+
 TEST(Layout, IsTheSameOnHostAndDevice) {
   Counter counter;
   GpuScene scene;
@@ -52,6 +60,8 @@ TEST(Layout, IsTheSameOnHostAndDevice) {
   fillTwo(scene.lights);
   fillTwo(scene.materials);
   const auto constants = counter.fill<gpu::DispatchConstants>();
+  const auto item = counter.fill<gpu::WorkItem>();
+  const auto state = counter.fill<gpu::WorkState>();
 
   std::vector<std::uint32_t> expected;
   append(expected, scene.nodes[1]);
@@ -62,30 +72,29 @@ TEST(Layout, IsTheSameOnHostAndDevice) {
   append(expected, scene.lights[1]);
   append(expected, scene.materials[1]);
   append(expected, constants);
+  append(expected, item);
+  append(expected, state);
 
   vulkan::Device& device = testDevice();
   std::vector<vulkan::Buffer> buffers = uploadScene(device, scene);
-  buffers.push_back(
-      vulkan::Buffer::shared(device, "written", 2 * sizeof(gpu::Pixel) + 2 * sizeof(gpu::DispatchStatus)));
+  buffers.push_back(vulkan::Buffer::shared(device, "in and out", sizeof(Shared)));
+  auto* shared = reinterpret_cast<Shared*>(buffers[gpu::kBindingProbeIn].bytes());
+  shared->items[1] = item;
+  shared->states[1] = state;
   buffers.push_back(vulkan::Buffer::shared(device, "words", 4 * expected.size()));
-  vulkan::ComputeShader shader(device, layoutProbeSpirv, specializationFor(scene, false), buffers,
-                               sizeof constants);
+  vulkan::ComputeShader shader(device, layoutProbeSpirv, specializationFor(scene), buffers, sizeof constants);
   shader.dispatch(1, std::as_bytes(std::span(&constants, 1)));
 
   std::vector<std::uint32_t> words(expected.size());
   std::memcpy(words.data(), buffers[gpu::kBindingProbeOut].bytes(), 4 * words.size());
   EXPECT_EQ(words, expected);
 
-  const std::byte* written = buffers[gpu::kBindingProbeIn].bytes();
-  gpu::Pixel pixel{};
-  std::memcpy(&pixel, written + sizeof(gpu::Pixel), sizeof pixel);
-  EXPECT_EQ(pixel.color, glm::vec3(1, 2, 3));
-  EXPECT_EQ(pixel.nextLight, 4U);
-  gpu::DispatchStatus status{};
-  std::memcpy(&status, written + 2 * sizeof(gpu::Pixel) + sizeof status, sizeof status);
-  EXPECT_EQ(status.unfinished, 5U);
-  EXPECT_EQ(status.stuck, 6U);
-  EXPECT_EQ(status.shadowRays, 7U);
+  EXPECT_EQ(shared->results[1].sum, glm::vec3(1, 2, 3));
+  EXPECT_EQ(shared->results[1].finished, 4U);
+  EXPECT_EQ(shared->statuses[1].unfinished, 5U);
+  EXPECT_EQ(shared->statuses[1].stuck, 6U);
+  EXPECT_EQ(shared->statuses[1].shadowRays, 7U);
+  EXPECT_EQ(shared->statuses[1].mirrorRays, 8U);
 }
 
 TEST(Buffer, OverTheDevicesReachNamesTheNumberAndTheLimit) {

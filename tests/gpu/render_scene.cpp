@@ -8,9 +8,16 @@ namespace lavaray {
 
 RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size, std::optional<Rectangle> crop) {
   const ImageSize whole = size.value_or(imageSize(scene.camera).value());
-  const RenderSettings settings{whole, crop.value_or(Rectangle{0, 0, whole.width, whole.height}), true};
+  RenderSettings settings;
+  settings.size = whole;
+  settings.crop = crop.value_or(Rectangle{0, 0, whole.width, whole.height});
+  return renderScene(scene, settings);
+}
+
+RenderResult renderScene(const Scene& scene, RenderSettings settings) {
   const std::atomic<bool> neverStop{false};
-  return Renderer(testDevice(), flatten(scene, 2), scene.camera, settings).render(neverStop);
+  settings.countRays = true;
+  return render(testDevice(), flatten(scene, 2), scene.camera, settings, neverStop);
 }
 
 ImageSize reducedSize(const Camera& camera, int longest) {

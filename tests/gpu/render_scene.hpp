@@ -13,6 +13,8 @@ namespace lavaray {
 RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size = {},
                          std::optional<Rectangle> crop = {});
 
+RenderResult renderScene(const Scene& scene, RenderSettings settings);
+
 // The camera's size, reduced so that no side is longer than `longest`.
 ImageSize reducedSize(const Camera& camera, int longest);
 

@@ -2,10 +2,12 @@
 
 #include <cstdlib>
 
-// Mesa's driver loses some small allocations. What the program loses of Vulkan's objects, the validation layer
-// reports.
+// Mesa's driver loses some small allocations. What the program loses of Vulkan's objects, the validation
+// layer reports.
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libvulkan_lvp.so\n"; }
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libvulkan_lvp.so\n";
+}
 
 namespace lavaray {
 

@@ -36,7 +36,7 @@ class Tracer {
     const gpu::TraceConstants constants{static_cast<gpu::uint>(rays.size()),
                                         static_cast<gpu::uint>(scene_.primitives.size()),
                                         scene_.rootReference, mode};
-    vulkan::ComputeShader shader(device, traceProbeSpirv, specializationFor(scene_, false), buffers,
+    vulkan::ComputeShader shader(device, traceProbeSpirv, specializationFor(scene_), buffers,
                                  sizeof constants);
     const auto groups =
         static_cast<std::uint32_t>((rays.size() + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize);

@@ -7,8 +7,10 @@
 #include "scene_data.glsl"
 
 layout(local_size_x = 1) in;
-layout(std430, set = 0, binding = kBindingProbeIn) buffer Written {
-  Pixel pixels[2];
+layout(std430, set = 0, binding = kBindingProbeIn) buffer InAndOut {
+  WorkItem items[2];
+  WorkState states[2];
+  WorkResult results[2];
   DispatchStatus statuses[2];
 };
 layout(std430, set = 0, binding = kBindingProbeOut) buffer Words { uint words[]; };
@@ -42,15 +44,22 @@ void main() {
   put(plane.normal, end); put(plane.distance, end); put(plane.object, end);
   put(plane.padding0, end); put(plane.padding1, end); put(plane.padding2, end);
   const Light light = lights[1];
-  put(light.position, end); put(light.padding0, end); put(light.ambient, end); put(light.padding1, end);
+  put(light.position, end); put(light.radius, end); put(light.ambient, end); put(light.padding1, end);
   put(light.diffuse, end); put(light.padding2, end); put(light.specular, end); put(light.padding3, end);
   const Material material = materials[1];
   put(material.ambient, end); put(material.shininess, end); put(material.diffuse, end);
   put(material.padding0, end); put(material.specular, end); put(material.padding1, end);
+  put(material.reflectance, end); put(material.padding2, end);
   put(constants.pixelSize, end); put(constants.halfImage, end); put(constants.focalLength, end);
   put(constants.cropX, end); put(constants.cropY, end); put(constants.cropWidth, end);
-  put(constants.firstPixel, end); put(constants.pixelCount, end); put(constants.resume, end);
-  put(constants.rootReference, end);
-  pixels[1] = Pixel(vec3(1.0, 2.0, 3.0), 4u);
+  put(constants.itemCount, end); put(constants.resume, end); put(constants.rootReference, end);
+  put(constants.seed, end); put(constants.maxDepth, end); put(constants.filterSize, end);
+  put(constants.firstPixel, end); put(constants.padding0, end);
+  const WorkItem item = items[1];
+  put(item.pixel, end); put(item.sequence, end); put(item.first, end); put(item.count, end);
+  const WorkState state = states[1];
+  put(state.sum, end); put(state.taken, end); put(state.color, end); put(state.bounce, end);
+  put(state.step, end); put(state.padding0, end); put(state.padding1, end); put(state.padding2, end);
+  results[1] = WorkResult(vec3(1.0, 2.0, 3.0), 4u);
   statuses[1] = DispatchStatus(5u, 6u, 7u, 8u);
 }

@@ -9,8 +9,8 @@ namespace lavaray::gpu {
 #endif
 
 // A probe's own buffers follow the scene's.
-const uint kBindingProbeIn = 7u;
-const uint kBindingProbeOut = 8u;
+const uint kBindingProbeIn = kBindingFilter;
+const uint kBindingProbeOut = kBindingProbeIn + 1u;
 
 struct ProbeRay {
   vec3 origin;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace lavaray {
+
+// The sum of a pixel's samples in fixed point: sums of samples add up without rounding, so the mean does not
+// depend on the order or the grouping in which they arrive. A sample's rounding, 2^-41, is far below what a
+// float32 image shows, and 2^22 samples fit.
+class PixelSum {
+ public:
+  void add(const glm::vec3& sum, std::uint32_t samples) {
+    for (int channel = 0; channel < 3; ++channel) {
+      sum_[channel] += std::llround(std::ldexp(static_cast<double>(sum[channel]), kFractionBits));
+    }
+    samples_ += samples;
+  }
+  void add(const PixelSum& other) {
+    for (int channel = 0; channel < 3; ++channel) sum_[channel] += other.sum_[channel];
+    samples_ += other.samples_;
+  }
+  [[nodiscard]] std::uint32_t samples() const { return samples_; }
+  // Black where there are no samples.
+  [[nodiscard]] glm::dvec3 mean() const {
+    if (samples_ == 0) return glm::dvec3(0.0);
+    const glm::dvec3 sum(static_cast<double>(sum_[0]), static_cast<double>(sum_[1]),
+                         static_cast<double>(sum_[2]));
+    return sum / std::ldexp(static_cast<double>(samples_), kFractionBits);
+  }
+
+ private:
+  static constexpr int kFractionBits = 40;
+  std::int64_t sum_[3] = {0, 0, 0};
+  std::uint32_t samples_ = 0;
+};
+
+}  // namespace lavaray

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/camera.hpp"
+#include "image/image.hpp"
+#include "render/pixel_filter.hpp"
+
+namespace lavaray {
+
+enum class Sampler {
+  kSobol,   // Owen-scrambled Sobol points
+  kRandom,  // independent random numbers; for comparison
+};
+
+// So many that the fixed-point sums (see PixelSum) still hold them.
+inline constexpr std::uint32_t kMostSamples = 1U << 22U;
+
+struct RenderSettings {
+  ImageSize size;  // of the whole image
+  Rectangle crop;  // the part of it to render
+  std::uint32_t maxDepth = 8;
+  std::uint32_t samples = 1;  // a pixel; 1 is its centre
+  Sampler sampler = Sampler::kSobol;
+  PixelFilter filter = PixelFilter::kBox;
+  std::uint32_t seed = 0;
+  // Instead of `samples`: sample until the image's RMSE is estimated to be at most this, with at most
+  // maxSamples a pixel.
+  std::optional<double> targetError;
+  std::uint32_t maxSamples = 65536;
+  std::optional<double> timeLimitSeconds;
+  bool countRays = false;
+};
+
+}  // namespace lavaray

@@ -1,0 +1,134 @@
+#include "render/tracer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include "core/errors.hpp"
+#include "render/scene_buffers.hpp"
+#include "renderSpirv.spv.h"
+
+namespace lavaray {
+namespace {
+
+// A piece never has more items, so that the buffers stay small whatever the image's size.
+constexpr std::uint64_t kMaxPieceItems = std::uint64_t{1} << 20U;
+constexpr double kFirstPieceRays = 1U << 15U;
+constexpr double kPieceSeconds = 0.1;
+
+gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSettings& settings,
+                                         const GpuScene& scene, std::size_t filterSize) {
+  const ImageSize plane = imageSize(camera).value();
+  gpu::DispatchConstants constants{};
+  constants.pixelSize =
+      glm::dvec2(plane.width, plane.height) / glm::dvec2(settings.size.width, settings.size.height);
+  constants.halfImage = glm::dvec2(plane.width, plane.height) / 2.0;
+  constants.focalLength = static_cast<float>(camera.focalLength);
+  constants.cropX = static_cast<gpu::uint>(settings.crop.x0);
+  constants.cropY = static_cast<gpu::uint>(settings.crop.y0);
+  constants.cropWidth = static_cast<gpu::uint>(settings.crop.x1 - settings.crop.x0);
+  constants.rootReference = scene.rootReference;
+  constants.seed = settings.seed;
+  constants.maxDepth = scene.hasMirrors ? settings.maxDepth : 0;
+  constants.filterSize = static_cast<gpu::uint>(filterSize);
+  return constants;
+}
+
+bool takesCenterOnly(const RenderSettings& settings) {
+  return settings.samples == 1 && !settings.targetError;
+}
+
+std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSettings& settings) {
+  std::vector<std::uint32_t> values = specializationFor(scene);
+  values[gpu::kSpecSampling] = takesCenterOnly(settings)             ? gpu::kSamplingCenter
+                               : settings.sampler == Sampler::kSobol ? gpu::kSamplingSobol
+                                                                     : gpu::kSamplingRandom;
+  values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
+  return values;
+}
+
+}  // namespace
+
+Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
+               const RenderSettings& settings, std::uint64_t items)
+    : device_(device), centerOnly_(takesCenterOnly(settings)) {
+  const std::uint64_t reachable =
+      std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
+                              std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
+  capacity_ = static_cast<std::uint32_t>(std::min({kMaxPieceItems, reachable, items}));
+  pieceItems_ = kFirstPieceRays / static_cast<double>(1 + scene.lights.size());
+
+  const std::vector<float> filter = filterTable(settings.filter);
+  constants_ = dispatchConstants(camera, settings, scene, filter.size());
+  buffers_ = uploadScene(device, scene);
+  const std::vector<float> noTable(4);
+  buffers_.push_back(vulkan::Buffer::uploaded(device, "pixel filter", vulkan::BufferUse::kStorage,
+                                              std::as_bytes(std::span(filter.empty() ? noTable : filter))));
+  const std::size_t workItems = centerOnly_ ? 1 : capacity_;
+  buffers_.push_back(vulkan::Buffer::shared(device, "work items", workItems * sizeof(gpu::WorkItem)));
+  buffers_.push_back(vulkan::Buffer::shared(device, "results", capacity_ * sizeof(gpu::WorkResult)));
+  buffers_.push_back(vulkan::Buffer::shared(device, "unfinished work", capacity_ * sizeof(gpu::WorkState)));
+  buffers_.push_back(vulkan::Buffer::shared(device, "dispatch status", sizeof(gpu::DispatchStatus)));
+  shader_.emplace(device, renderSpirv, specialization(scene, settings), buffers_, sizeof constants_);
+}
+
+std::size_t Tracer::deviceBytes() const {
+  std::size_t bytes = 0;
+  for (const vulkan::Buffer& buffer : buffers_) bytes += buffer.size();
+  return bytes;
+}
+
+bool Tracer::run(std::uint64_t count, const MakeItem& makeItem, const TakeResult& takeResult,
+                 const Stop& stop) {
+  using Clock = std::chrono::steady_clock;
+  auto* items = reinterpret_cast<gpu::WorkItem*>(buffers_[gpu::kBindingWork].bytes());
+  const auto* results = reinterpret_cast<const gpu::WorkResult*>(buffers_[gpu::kBindingResults].bytes());
+  for (std::uint64_t first = 0; first < count;) {
+    if (stop()) return false;
+    const auto pieceCount = static_cast<std::uint32_t>(
+        std::min({static_cast<std::uint64_t>(pieceItems_), std::uint64_t{capacity_}, count - first}));
+    const Clock::time_point start = Clock::now();
+    constants_.firstPixel = static_cast<gpu::uint>(first);
+    if (!centerOnly_) {
+      for (std::uint32_t i = 0; i < pieceCount; ++i) items[i] = makeItem(first + i);
+    }
+    dispatchUntilFinished(pieceCount);
+    for (std::uint32_t i = 0; i < pieceCount; ++i) takeResult(first + i, results[i].sum);
+    for (std::uint32_t i = 0; !centerOnly_ && i < pieceCount; ++i) counts_.samples += items[i].count;
+    if (centerOnly_) counts_.samples += pieceCount;
+
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    // The first piece's time says nothing: drivers compile the shader in it.
+    const double factor = isWarm_ ? std::clamp(kPieceSeconds / seconds, 0.25, 4.0) : 4.0;
+    pieceItems_ =
+        std::clamp(pieceItems_ * factor, double{gpu::kWorkGroupSize}, static_cast<double>(kMaxPieceItems));
+    isWarm_ = true;
+    first += pieceCount;
+  }
+  return true;
+}
+
+void Tracer::dispatchUntilFinished(std::uint32_t count) {
+  auto* status = reinterpret_cast<gpu::DispatchStatus*>(buffers_[gpu::kBindingStatus].bytes());
+  constants_.itemCount = count;
+  constants_.resume = 0;
+  std::uint32_t unfinishedBefore = count + 1;
+  do {
+    *status = {};
+    shader_->dispatch((count + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
+                      std::as_bytes(std::span(&constants_, 1)));
+    ++counts_.dispatches;
+    counts_.shadowRays += status->shadowRays;
+    counts_.mirrorRays += status->mirrorRays;
+    const bool nothingMoved = status->stuck == status->unfinished && status->unfinished == unfinishedBefore;
+    if (status->unfinished > 0 && nothingMoved) {
+      throw Error(ExitCode::kDevice, device_.description().name + " ends a shader's loops before " +
+                                         std::to_string(status->stuck) +
+                                         " rays are through: too many surfaces overlap there");
+    }
+    unfinishedBefore = status->unfinished;
+    constants_.resume = 1;
+  } while (status->unfinished > 0);
+}
+
+}  // namespace lavaray

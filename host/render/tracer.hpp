@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/flatten.hpp"
+#include "render/settings.hpp"
+#include "vulkan/compute.hpp"
+
+namespace lavaray {
+
+struct TraceCounts {
+  std::uint64_t dispatches = 0;
+  std::uint64_t samples = 0;     // camera rays
+  std::uint64_t shadowRays = 0;  // these two are counted where the settings ask for it
+  std::uint64_t mirrorRays = 0;
+};
+
+// A scene on a device, with the pipeline for what the scene has: it takes samples of pixels.
+class Tracer {
+ public:
+  // `pixels` is the most that a pass will have; buffers are no larger than that asks for.
+  Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings,
+         std::uint64_t items);
+
+  using MakeItem = std::function<gpu::WorkItem(std::uint64_t index)>;
+  using TakeResult = std::function<void(std::uint64_t index, const glm::vec3& sum)>;
+  using Stop = std::function<bool()>;
+
+  // Does the work items makeItem(0) .. makeItem(count - 1), in this order and in pieces of about a tenth of a
+  // second, and hands each result to takeResult. Looks at `stop` before each piece and returns false if it
+  // was stopped. With the sampling in the pixel's centre, item i is pixel i, and makeItem is not called.
+  // Throws Error(kDevice) where the device fails or cannot finish a ray.
+  bool run(std::uint64_t count, const MakeItem& makeItem, const TakeResult& takeResult, const Stop& stop);
+
+  [[nodiscard]] const TraceCounts& counts() const { return counts_; }
+  // Bytes of the scene's arrays and of the work on the device.
+  [[nodiscard]] std::size_t deviceBytes() const;
+
+ private:
+  void dispatchUntilFinished(std::uint32_t count);
+
+  vulkan::Device& device_;
+  bool centerOnly_;
+  gpu::DispatchConstants constants_{};
+  std::uint32_t capacity_;                       // items of the largest piece
+  double pieceItems_;                            // of the next piece
+  bool isWarm_ = false;                          // after the first piece
+  std::vector<vulkan::Buffer> buffers_;          // by binding
+  std::optional<vulkan::ComputeShader> shader_;  // made when the buffers are
+  TraceCounts counts_;
+};
+
+}  // namespace lavaray

@@ -1,0 +1,55 @@
+// Where on a light a shadow ray ends.
+#ifndef LIGHT_GLSL
+#define LIGHT_GLSL
+
+#include "random.glsl"
+#include "scene_data.glsl"
+#include "vector.glsl"
+
+struct LightSample {
+  vec3 toLight;  // unit length; 0 for a point light in the point itself
+  vec3 target;   // the light's surface in that direction, or the point light
+};
+
+// Two unit vectors at right angles to the unit vector z and to each other.
+// Based on: Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
+void orthonormalBasis(vec3 z, out vec3 x, out vec3 y) {
+  const float side = z.z < 0.0 ? -1.0 : 1.0;
+  const float a = -1.0 / (side + z.z);
+  const float b = z.x * z.y * a;
+  x = vec3(1.0 + side * z.x * z.x * a, side * b, -side * z.x);
+  y = vec3(b, side + z.y * z.y * a, -z.y);
+}
+
+// A direction uniformly distributed in the cone that the light's sphere subtends at the position; in all
+// directions where that is inside. 1 - cos is computed without a difference of nearly equal numbers, so that the
+// smallest cone keeps its width. Based on: Shirley, Wang and Zimmermann, "Monte Carlo Techniques for Direct
+// Lighting Calculations", 1996.
+LightSample sampleSphericalLight(Light light, vec3 position, vec2 u) {
+  const vec3 axis = light.position - position;
+  const float distance = length(axis);
+  const float sineSquared = (light.radius / distance) * (light.radius / distance);
+  const bool inside = !(sineSquared < 1.0);
+  const float widestOneMinusCosine = inside ? 2.0 : sineSquared / (1.0 + sqrt(1.0 - sineSquared));
+  const float oneMinusCosine = u.x * widestOneMinusCosine;
+  const float sine = sqrt(oneMinusCosine * (2.0 - oneMinusCosine));
+  vec3 x;
+  vec3 y;
+  const vec3 z = distance > 0.0 ? axis / distance : vec3(0.0, 0.0, 1.0);
+  orthonormalBasis(z, x, y);
+  const float angle = 6.2831853 * u.y;
+  const vec3 toLight = unit(sine * (cos(angle) * x + sin(angle) * y) + (1.0 - oneMinusCosine) * z);
+
+  const float along = distance * (1.0 - oneMinusCosine);
+  const float halfChord = sqrt(max(0.0, light.radius * light.radius - distance * distance * sine * sine));
+  return LightSample(toLight, position + (inside ? along + halfChord : along - halfChord) * toLight);
+}
+
+LightSample sampleLight(Light light, vec3 position, uint index, uint seed) {
+  if (kHasSphericalLights && light.radius > 0.0) {
+    return sampleSphericalLight(light, position, samplePair(index, seed));
+  }
+  return LightSample(unit(light.position - position), light.position);
+}
+
+#endif

@@ -1,0 +1,78 @@
+// One sample of a pixel: what a camera ray and the mirror rays that follow it see.
+#ifndef PATH_GLSL
+#define PATH_GLSL
+
+#include "light.glsl"
+#include "shade.glsl"
+
+// How far a path has come. It is the same path again whenever it is traced: so one that could not be finished is
+// traced from the start, and its colour is added to from here on.
+struct PathState {
+  vec3 color;
+  uint bounce;
+  uint step;  // of that bounce: 0 is the ambient colour, i + 1 is light i
+};
+
+struct RayCounts {
+  uint shadow;
+  uint mirror;
+};
+
+struct PathSettings {
+  uint root;      // the BVH's
+  uint maxDepth;  // mirror bounces
+  uint index;     // of the sample, and
+  uint seed;      // its sequence
+};
+
+// Adds what the surface shows by itself, times `weight`, from state.step on. Returns false where the device
+// ended the loops or the dispatch has traced its share of shadow rays; state says what is missing.
+bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material material, vec3 weight,
+                     PathSettings settings, inout PathState state, inout RayCounts counts) {
+  if (state.step == 0u) {
+    state.color += weight * material.ambient;
+    state.step = 1u;
+  }
+  const vec3 toViewer = -unit(ray.direction);
+  for (; state.step <= kLightCount; ++state.step) {
+    if (counts.shadow == kMaxShadowRaysPerDispatch) return false;
+    const uint i = state.step - 1u;
+    const Light light = lights[i];
+    const uint use = 1u + state.bounce * kLightCount + i;
+    const LightSample s = sampleLight(light, point.position, settings.index, hashCombine(settings.seed, use));
+    bool blocked;
+    if (!findShadow(point, surface, s.target, settings.root, blocked)) return false;
+    ++counts.shadow;
+    if (!blocked) state.color += weight * phong(material, light, point.shadingNormal, s.toLight, toViewer);
+  }
+  return state.step > kLightCount;
+}
+
+// Returns false where the path could not be finished; state says what is missing.
+bool tracePath(Ray ray, PathSettings settings, inout PathState state, inout RayCounts counts) {
+  uint skipped = kNoSurface;
+  vec3 weight = vec3(1.0);
+  for (uint bounce = 0u; bounce <= settings.maxDepth; ++bounce) {
+    Hit hit = missUpTo(kInfinity);
+    if (!findHit(false, ray, skipped, settings.root, hit)) return false;
+    if (hit.surface == kNoSurface) return true;
+    const SurfacePoint point = surfacePoint(ray, hit);
+    const Material material = materials[hit.object];
+    if (bounce == state.bounce) {
+      if (!addIllumination(ray, hit.surface, point, material, weight, settings, state, counts)) return false;
+      ++state.bounce;
+      state.step = 0u;
+    }
+    if (!kHasMirrors) return true;
+    weight *= material.reflectance;
+    if (maxComponent(weight) < kMinReflectance) return true;
+    const vec3 incoming = unit(ray.direction);
+    const vec3 direction = incoming - 2.0 * dot(incoming, point.shadingNormal) * point.shadingNormal;
+    ray = Ray(leave(point, direction), direction);
+    skipped = hit.surface;
+    ++counts.mirror;
+  }
+  return state.bounce > settings.maxDepth;
+}
+
+#endif
