@@ -68,8 +68,15 @@ const uint kSpecLightCount = 4u;
 const uint kSpecHasMirrors = 5u;
 const uint kSpecHasSphericalLights = 6u;
 const uint kSpecSampling = 7u;
-const uint kSpecCountRays = 8u;
-const uint kSpecCount = 9u;
+const uint kSpecResumable = 8u;
+const uint kSpecCountRays = 9u;
+const uint kSpecCount = 10u;
+
+// Values of DispatchConstants::pass: which work items a dispatch does. Only a resumable pipeline can leave an
+// item half done and go on with it.
+const uint kPassAll = 0u;
+const uint kPassUnfinished = 1u;  // those that an earlier dispatch gave up, from the start
+const uint kPassResumed = 2u;     // those that an earlier dispatch left half done, from there
 
 // Values of kSpecSampling: where the samples of a pixel come from.
 const uint kSamplingCenter = 0u;  // one sample in the pixel's centre
@@ -202,7 +209,7 @@ struct DispatchConstants {
   uint cropY;
   uint cropWidth;
   uint itemCount;
-  uint resume;         // 1: only items that an earlier dispatch left unfinished
+  uint pass;           // kPassAll, ...
   uint rootReference;  // the BVH's root
   uint seed;
   uint maxDepth;       // mirror bounces

@@ -5,6 +5,8 @@
 #include "light.glsl"
 #include "shade.glsl"
 
+layout(constant_id = kSpecResumable) const bool kResumable = true;
+
 // How far a path has come. It is the same path again whenever it is traced: so one that could not be finished is
 // traced from the start, and its colour is added to from here on.
 struct PathState {
@@ -35,7 +37,7 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
   }
   const vec3 toViewer = -unit(ray.direction);
   for (; state.step <= kLightCount; ++state.step) {
-    if (counts.shadow == kMaxShadowRaysPerDispatch) return false;
+    if (kResumable && counts.shadow == kMaxShadowRaysPerDispatch) return false;
     const uint i = state.step - 1u;
     const Light light = lights[i];
     const uint use = 1u + state.bounce * kLightCount + i;

@@ -1,7 +1,9 @@
 // Takes the samples of one work item an invocation.
 //
-// An item that is not finished in one dispatch (it has more shadow rays than one allows, or the device ended the
-// loops) leaves its state behind and goes on from there in the next. The sum is the same whatever the dispatches.
+// An item may not be finished in one dispatch: it has more shadow rays than one allows, or the device ends the
+// loops. In a resumable pipeline it leaves its state behind and goes on from there in the next dispatch; the sum
+// is the same whatever the dispatches. Most scenes never need that and run a pipeline without it, which gives
+// such an item up for a resumable one to do.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -72,9 +74,9 @@ void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.itemCount) return;
   WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0u, 0u, 0u);
-  if (constants.resume != 0u) {
+  if (kResumable && constants.pass != kPassAll) {
     if (results[index].finished != 0u) return;
-    state = states[index];
+    if (constants.pass == kPassResumed) state = states[index];
   }
   const WorkState before = state;
   RayCounts counts = RayCounts(0u, 0u);
@@ -85,8 +87,10 @@ void main() {
   }
   if (!finished) {
     atomicAdd(status.unfinished, 1u);
-    if (sameProgress(state, before)) atomicAdd(status.stuck, 1u);
-    states[index] = state;
+    if (kResumable) {
+      if (sameProgress(state, before)) atomicAdd(status.stuck, 1u);
+      states[index] = state;
+    }
   }
   results[index] = WorkResult(state.sum, finished ? 1u : 0u);
 }

@@ -67,9 +67,12 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
   const std::size_t workItems = centerOnly_ ? 1 : capacity_;
   buffers_.push_back(vulkan::Buffer::shared(device, "work items", workItems * sizeof(gpu::WorkItem)));
   buffers_.push_back(vulkan::Buffer::shared(device, "results", capacity_ * sizeof(gpu::WorkResult)));
-  buffers_.push_back(vulkan::Buffer::shared(device, "unfinished work", capacity_ * sizeof(gpu::WorkState)));
+  buffers_.push_back(vulkan::Buffer::shared(device, "unfinished work", sizeof(gpu::WorkState)));
   buffers_.push_back(vulkan::Buffer::shared(device, "dispatch status", sizeof(gpu::DispatchStatus)));
-  shader_.emplace(device, renderSpirv, specialization(scene, settings), buffers_, sizeof constants_);
+  specialization_ = specialization(scene, settings);
+  const std::uint64_t shadowRays =
+      std::uint64_t{gpu::kMaxSamplesPerItem} * scene.lights.size() * (1 + constants_.maxDepth);
+  if (shadowRays <= gpu::kMaxShadowRaysPerDispatch) direct_.emplace(makeShader(false));
 }
 
 std::size_t Tracer::deviceBytes() const {
@@ -108,27 +111,48 @@ bool Tracer::run(std::uint64_t count, const MakeItem& makeItem, const TakeResult
   return true;
 }
 
-void Tracer::dispatchUntilFinished(std::uint32_t count) {
+vulkan::ComputeShader Tracer::makeShader(bool resumable) {
+  if (resumable) {
+    direct_.reset();  // it is bound to the buffer that is replaced here, and this scene needs the other one
+    buffers_[gpu::kBindingStates] =
+        vulkan::Buffer::shared(device_, "unfinished work", capacity_ * sizeof(gpu::WorkState));
+  }
+  specialization_[gpu::kSpecResumable] = resumable ? 1 : 0;
+  return {device_, renderSpirv, specialization_, buffers_, sizeof constants_};
+}
+
+gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint pass) {
   auto* status = reinterpret_cast<gpu::DispatchStatus*>(buffers_[gpu::kBindingStatus].bytes());
+  *status = {};
   constants_.itemCount = count;
-  constants_.resume = 0;
+  constants_.pass = pass;
+  shader.dispatch((count + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
+                  std::as_bytes(std::span(&constants_, 1)));
+  ++counts_.dispatches;
+  counts_.shadowRays += status->shadowRays;
+  counts_.mirrorRays += status->mirrorRays;
+  return *status;
+}
+
+void Tracer::dispatchUntilFinished(std::uint32_t count) {
+  gpu::uint pass = gpu::kPassAll;
+  if (direct_) {
+    if (dispatch(*direct_, count, pass).unfinished == 0) return;
+    pass = gpu::kPassUnfinished;
+  }
+  if (!resumable_) resumable_.emplace(makeShader(true));
   std::uint32_t unfinishedBefore = count + 1;
-  do {
-    *status = {};
-    shader_->dispatch((count + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
-                      std::as_bytes(std::span(&constants_, 1)));
-    ++counts_.dispatches;
-    counts_.shadowRays += status->shadowRays;
-    counts_.mirrorRays += status->mirrorRays;
-    const bool nothingMoved = status->stuck == status->unfinished && status->unfinished == unfinishedBefore;
-    if (status->unfinished > 0 && nothingMoved) {
+  for (;;) {
+    const gpu::DispatchStatus status = dispatch(*resumable_, count, pass);
+    if (status.unfinished == 0) return;
+    if (status.stuck == status.unfinished && status.unfinished == unfinishedBefore) {
       throw Error(ExitCode::kDevice, device_.description().name + " ends a shader's loops before " +
-                                         std::to_string(status->stuck) +
+                                         std::to_string(status.stuck) +
                                          " rays are through: too many surfaces overlap there");
     }
-    unfinishedBefore = status->unfinished;
-    constants_.resume = 1;
-  } while (status->unfinished > 0);
+    unfinishedBefore = status.unfinished;
+    pass = gpu::kPassResumed;
+  }
 }
 
 }  // namespace lavaray

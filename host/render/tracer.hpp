@@ -41,15 +41,20 @@ class Tracer {
 
  private:
   void dispatchUntilFinished(std::uint32_t count);
+  gpu::DispatchStatus dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint pass);
+  vulkan::ComputeShader makeShader(bool resumable);
 
   vulkan::Device& device_;
   bool centerOnly_;
   gpu::DispatchConstants constants_{};
-  std::uint32_t capacity_;                       // items of the largest piece
-  double pieceItems_;                            // of the next piece
-  bool isWarm_ = false;                          // after the first piece
-  std::vector<vulkan::Buffer> buffers_;          // by binding
-  std::optional<vulkan::ComputeShader> shader_;  // made when the buffers are
+  std::uint32_t capacity_;               // items of the largest piece
+  double pieceItems_;                    // of the next piece
+  bool isWarm_ = false;                  // after the first piece
+  std::vector<vulkan::Buffer> buffers_;  // by binding
+  std::vector<std::uint32_t> specialization_;
+  // One of them: the first, unless the scene has too many lights for it, until it gives an item up.
+  std::optional<vulkan::ComputeShader> direct_;
+  std::optional<vulkan::ComputeShader> resumable_;
   TraceCounts counts_;
 };
 
