@@ -97,8 +97,8 @@ TEST(OracleSampling, AreaOfASpheresImage) {
     const double sine = 4.0 / glm::length(center);
     const double cosine = std::sqrt(1.0 - sine * sine);
     const double axis = 10.0 / glm::length(center);
-    const double expected = kPi * kFocalLength * kFocalLength * sine * sine * cosine /
-                            std::pow(axis * axis - sine * sine, 1.5);
+    const double expected =
+        kPi * kFocalLength * kFocalLength * sine * sine * cosine / std::pow(axis * axis - sine * sine, 1.5);
     expectWithin(area.x, expected, std::sqrt(variance.x));
     expectWithin(area.y, 0.5 * expected, std::sqrt(variance.y));
     EXPECT_NEAR(area.x / expected, 1.0, 1e-3);
@@ -107,8 +107,8 @@ TEST(OracleSampling, AreaOfASpheresImage) {
 }
 
 // A half-plane that ends in a straight edge covers of the light's cone what lies beyond the plane through the
-// point and the edge: 2 (acos(sin b / sin a) - cos a acos(tan b / tan a)) of the solid angle 2 pi (1 - cos a),
-// a the cone's half angle, b the angle between its axis and that plane.
+// point and the edge. Of a cone of half angle a, whose solid angle is 2 pi (1 - cos a) and whose axis is at
+// the angle b to that plane, it is 2 (acos(sin b / sin a) - cos a acos(tan b / tan a)).
 // Mazonka, "Solid Angle of Conical Surfaces, Polyhedral Cones, and Intersecting Spherical Caps", 2012.
 double capBeyond(double a, double b) {
   if (b >= a) return 0.0;
@@ -203,7 +203,8 @@ TEST(OracleSampling, DiffuseLightOfASphere) {
   EXPECT_EQ(visiblePart(middlePixel(scene, 100)), 1.0);
 }
 
-// The walls x = -2.5 and x = 2.5 are perfect mirrors; cell k of the unfolded room is the room, mirrored k times.
+// The walls x = -2.5 and x = 2.5 are perfect mirrors. Cell k of the unfolded room is the room, mirrored k
+// times.
 constexpr double kHalfWidth = 2.5;
 const dvec3 kBall(0.8, -0.7, -6.0);
 const dvec3 kLamp(-1.5, 2.0, -2.0);

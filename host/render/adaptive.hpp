@@ -13,7 +13,8 @@ namespace lavaray {
 //
 // Each pixel has two sequences of samples that are independent of one another, its halves. Half the
 // difference of their means estimates the error of the mean of both, without a bias from the samples
-// themselves; pooled over a pixel and its neighbours it says how hard a pixel is. Samples go where one more
+// themselves; pooled over a pixel and its neighbours it says how hard a pixel is; one that differs from a neighbour may have an edge that all its
+// samples have missed. Samples go where one more
 // lowers the error most: where the error of n samples falls with n^-3/4 (edges and penumbrae under a
 // scrambled net: Mitchell, "Consequences of Stratified Sampling in Graphics", 1996), that makes n
 // proportional to hardness^(2/5). Pure arithmetic: it traces nothing.
@@ -40,6 +41,7 @@ class AdaptiveSampling {
   using Histogram = std::array<std::array<std::uint32_t, kSampleSteps>, kHardnessSteps>;
 
   [[nodiscard]] double difference(std::size_t pixel) const;
+  [[nodiscard]] static double unseenEdge(double squaredContrast, std::uint32_t samples);
   void estimateHardness();
   [[nodiscard]] Histogram histogram() const;
   [[nodiscard]] int plannedStep(int hardnessStep, int sampleStep, double price) const;
@@ -50,6 +52,7 @@ class AdaptiveSampling {
   int width_;
   int height_;
   double goal_;
+  std::uint32_t firstHalfSamples_;
   int maxSampleStep_;
   double estimatedError_ = 1.0;
   bool hasStarted_ = false;

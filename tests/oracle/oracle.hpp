@@ -26,7 +26,7 @@ struct Options {
   int x1 = std::numeric_limits<int>::max(), y1 = std::numeric_limits<int>::max();  // exclusive
   int maxDepth = 8;                                                                // of mirror rays
   int samples = 1;                                                                 // for each pixel
-  std::uint64_t seed = 0;  // of the random samples; those of a pixel depend on it and on the pixel only
+  std::uint64_t seed = 0;     // of the random samples; those of a pixel depend on it and on the pixel only
   double probeOffset = 0.02;  // in pixels; 0 leaves out the probes, as several samples do
 };
 

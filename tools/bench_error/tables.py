@@ -1,0 +1,185 @@
+"""The tables, as text."""
+
+from bench_error import analysis
+from bench_error.experiment import ADAPTIVE, FIXED
+
+
+def table(title, header, rows):
+    """Columns as wide as they must be; the first on the left, numbers on the right."""
+    cells = [list(header)] + [["-" if c is None else str(c) for c in row] for row in rows]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(header))]
+    lines = [title, ""]
+    for number, row in enumerate(cells):
+        words = [row[0].ljust(widths[0])] + [c.rjust(w) for c, w in zip(row[1:], widths[1:])]
+        lines.append("  " + "  ".join(words).rstrip())
+        if number == 0:
+            lines.append("  " + "  ".join("-" * w for w in widths))
+    return "\n".join(lines) + "\n"
+
+
+def number(value, digits=3):
+    return None if value is None else f"{value:.{digits}g}"
+
+
+def percent(value):
+    return f"{100 * value:.0f}%"
+
+
+class Report:
+    def __init__(self, scenes, measurements, references, targets, clock):
+        self.scenes = scenes
+        self.compared = [scene.name for scene in scenes if not scene.slopes_only]
+        self.references = references
+        self.targets = targets
+        self.clock = clock
+        self.curves = {
+            (scene.name, method): analysis.points(measurements, scene.name, method)
+            for scene in scenes
+            for method in (*FIXED, ADAPTIVE)
+        }
+
+    def text(self):
+        parts = [self.scene_table(), *(self.error_table(s.name) for s in self.scenes), self.slope_table()]
+        if self.targets:
+            parts += [self.equal_error_table(), self.equal_time_table(), self.honoured_table()]
+        return "\n".join(parts)
+
+    def startup(self, scene):
+        """The run with one sample a pixel: start-up, the scene's reading and the tree are most of it."""
+        return next((p for p in self.curves[scene, "sobol"] if p.setting == 1), None)
+
+    def scene_table(self):
+        rows = []
+        for scene in self.scenes:
+            start = self.startup(scene.name)
+            found = self.references[scene.name]
+            rows.append((scene.name, scene.hard, found.samples, number(found.rmse),
+                         number(start.cpu) if start else None, number(start.wall) if start else None))
+        header = ("scene", "what is hard", "reference spp", "its error", "cpu s at 1 spp", "wall s")
+        return table("Scenes; the error of a reference is half the RMSE between its two halves", header, rows)
+
+    def error_table(self, scene):
+        rows = []
+        floor = 4 * self.references[scene].rmse
+        for method in (*FIXED, ADAPTIVE):
+            for p in self.curves[scene, method]:
+                name = f"{method} {'E=' if method == ADAPTIVE else ''}{p.setting:g}"
+                rows.append((name, number(p.rmse) + ("?" if p.rmse < floor else ""), number(p.relmse),
+                             number(p.max), number(p.flip), number(p.cpu_min), number(p.cpu), number(p.wall_min),
+                             number(p.wall)))
+        header = ("method", "RMSE", "relMSE", "max", "FLIP", "cpu min", "median", "wall min", "median s")
+        return table(f"{scene}: error and time (?: less than 4 times the reference's own error)", header, rows)
+
+    def slope_table(self):
+        header = ["scene"]
+        for method in FIXED:
+            header += [f"{method}: spp", "time"]
+        header += ["adaptive: time", "sobol RMSE at 16 spp"]
+        rows = []
+        for scene in self.scenes:
+            row = [scene.name]
+            for method in FIXED:
+                curve = self.curves[scene.name, method]
+                row += [analysis.spp_slope(curve), analysis.time_slope(curve, self.clock)]
+            row.append(analysis.time_slope(self.curves[scene.name, ADAPTIVE], self.clock))
+            row = row[:1] + [None if x is None else f"{x:.2f}" for x in row[1:]]
+            at16 = next((p for p in self.curves[scene.name, "sobol"] if p.setting == 16), None)
+            rows.append(row + [number(at16.rmse) if at16 else None])
+        return table(f"Slopes of log RMSE against log spp (from 4 spp) and log {self.clock} time", header, rows)
+
+    def adaptive_points(self, target):
+        """(scene, adaptive run at that target) of the compared scenes."""
+        return [(name, p) for name in self.compared for p in self.curves[name, ADAPTIVE] if p.setting == target]
+
+    def fixed_time(self, scene, method, rmse):
+        return analysis.time_at_error(self.curves[scene, method], rmse, self.clock)
+
+    def ratios(self, target):
+        """Time of adaptive over that of each fixed sampler at the same true RMSE, one for each compared scene."""
+        result = {method: [] for method in FIXED}
+        for scene, p in self.adaptive_points(target):
+            for method in FIXED:
+                fixed = self.fixed_time(scene, method, p.rmse)
+                if fixed:
+                    result[method].append(p.time(self.clock) / fixed.value)
+        return result
+
+    def equal_error_table(self):
+        rows = []
+        every = {method: [] for method in FIXED}
+        for target in self.targets:
+            for scene, p in self.adaptive_points(target):
+                time = p.time(self.clock)
+                fixed = [self.fixed_time(scene, method, p.rmse) for method in ("sobol", "random")]
+                ratios = [number(time / f.value) if f else None for f in fixed]
+                rows.append((f"{target:g} {scene}", number(p.rmse), number(time), *fixed, *ratios))
+            ratios = self.ratios(target)
+            for method in FIXED:
+                every[method] += ratios[method]
+            rows.append((f"{target:g} geometric mean", "", "", "", "", *self.mean_ratios(ratios)))
+        rows.append(("all geometric mean", "", "", "", "", *self.mean_ratios(every)))
+        header = ("E and scene", "true RMSE", "adaptive s", "sobol s", "random s", "adaptive/sobol", "adaptive/random")
+        title = (f"Equal error: {self.clock} seconds, start-up included, to the true RMSE that adaptive reached for E\n"
+                 "(fixed: interpolated; ~: extrapolated; <=: the fastest run is better already)")
+        return table(title, header, rows)
+
+    @staticmethod
+    def mean_ratios(ratios):
+        return [number(analysis.geometric_mean(ratios[method])) for method in ("sobol", "random")]
+
+    def equal_time_table(self):
+        rows = []
+        for target in self.targets:
+            for scene, p in self.adaptive_points(target):
+                time = p.time(self.clock)
+                fixed = [analysis.error_at_time(self.curves[scene, m], time, self.clock) for m in ("random", "sobol")]
+                rows.append((f"{target:g} {scene}", number(time), *fixed, number(p.rmse)))
+        header = ("E and scene", f"{self.clock} s", "random RMSE", "sobol RMSE", "adaptive RMSE")
+        return table("Equal time: true RMSE after the time that adaptive took for E (~: extrapolated)", header, rows)
+
+    def honoured_table(self):
+        runs = {(s, p.setting): p.rmses for s in self.compared for p in self.curves[s, ADAPTIVE]}
+        rows = []
+
+        def add(name, chosen):
+            result = analysis.honoured(chosen)
+            if result:
+                rows.append((name, result.runs, percent(result.kept), percent(result.wasted),
+                             f"{result.worst:.2f} E"))
+
+        for scene in self.compared:
+            add(scene, {t: rmses for (s, t), rmses in runs.items() if s == scene})
+        for target in self.targets:
+            rmses = [rmse for (_, t), all_of in runs.items() if t == target for rmse in all_of]
+            add(f"E = {target:g}", {target: rmses})
+        add("all", self.rmses_by_target())
+        header = ("runs", "number", "<= E", "< E/3", "largest RMSE")
+        return table("Target honoured: true RMSE of runs with --target-error E", header, rows)
+
+    def rmses_by_target(self):
+        return {t: [r for s in self.compared for p in self.curves[s, ADAPTIVE] if p.setting == t for r in p.rmses]
+                for t in self.targets}
+
+    def summary(self):
+        """The figures of the tables, for the JSON file."""
+        slopes = {}
+        for scene in self.scenes:
+            for method in FIXED:
+                curve = self.curves[scene.name, method]
+                slopes[f"{scene.name} {method}"] = {
+                    "spp": analysis.spp_slope(curve),
+                    "time": analysis.time_slope(curve, self.clock),
+                }
+        ratios = {}
+        for target in self.targets:
+            found = self.ratios(target)
+            ratios[f"{target:g}"] = {method: analysis.geometric_mean(found[method]) for method in FIXED}
+        every = {m: [r for t in self.targets for r in self.ratios(t)[m]] for m in FIXED}
+        ratios["all"] = {method: analysis.geometric_mean(every[method]) for method in FIXED}
+        kept = analysis.honoured(self.rmses_by_target())
+        return {
+            "slopes": slopes,
+            "time_of_adaptive_over": ratios,
+            "target_honoured": vars(kept) if kept else None,
+            "startup_seconds": {s.name: p.time(self.clock) for s in self.scenes if (p := self.startup(s.name))},
+        }
