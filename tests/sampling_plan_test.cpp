@@ -14,7 +14,8 @@ namespace {
 
 TEST(PixelFilter, TablesAreSymmetricAndRise) {
   EXPECT_TRUE(filterTable(PixelFilter::kBox).empty());
-  for (const PixelFilter filter : {PixelFilter::kTent, PixelFilter::kGaussian, PixelFilter::kBlackmanHarris}) {
+  for (const PixelFilter filter :
+       {PixelFilter::kTent, PixelFilter::kGaussian, PixelFilter::kBlackmanHarris}) {
     const std::vector<float> table = filterTable(filter);
     ASSERT_GE(table.size(), 3U);
     EXPECT_TRUE(std::is_sorted(table.begin(), table.end()));
@@ -61,7 +62,8 @@ TEST(PixelSum, KeepsSmallTermsAmongAMillion) {
   EXPECT_NEAR(sum.mean().b, 1e-6, 1e-12);
 }
 
-// Pixels that an edge crosses: sample i of either half is 1 with the edge's coverage as probability, stratified.
+// Pixels that an edge crosses: sample i of either half is 1 with the edge's coverage as probability,
+// stratified.
 class EdgeImage {
  public:
   EdgeImage(int width, int height, unsigned seed) : coverage_(static_cast<std::size_t>(width) * height) {
@@ -89,7 +91,7 @@ TEST(AdaptiveSampling, HonoursItsTargetAndSpendsOnEdges) {
   for (const double target : {0.02, 0.01, 0.005}) {
     const EdgeImage image(kWidth, kHeight, 1);
     std::mt19937 random(2);
-    AdaptiveSampling adaptive(kWidth, kHeight, target, 1U << 20U);
+    AdaptiveSampling adaptive(kWidth, kHeight, target, 1U << 20U, {});
     for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
       for (const gpu::WorkItem& item : items) adaptive.add(item, image.sum(item, random));
     }
@@ -111,10 +113,11 @@ TEST(AdaptiveSampling, HonoursItsTargetAndSpendsOnEdges) {
 }
 
 TEST(AdaptiveSampling, LeavesAPlainImageAlone) {
-  AdaptiveSampling adaptive(50, 40, 0.01, 1024);
+  AdaptiveSampling adaptive(50, 40, 0.01, 1024, {});
   std::size_t passes = 0;
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-    for (const gpu::WorkItem& item : items) adaptive.add(item, glm::vec3(0.25F * static_cast<float>(item.count)));
+    for (const gpu::WorkItem& item : items)
+      adaptive.add(item, glm::vec3(0.25F * static_cast<float>(item.count)));
     ++passes;
   }
   EXPECT_EQ(passes, 1U);
@@ -124,7 +127,7 @@ TEST(AdaptiveSampling, LeavesAPlainImageAlone) {
 }
 
 TEST(AdaptiveSampling, StopsAtTheMostSamplesAllowed) {
-  AdaptiveSampling adaptive(20, 20, 1e-4, 64);
+  AdaptiveSampling adaptive(20, 20, 1e-4, 64, {});
   std::mt19937 random(3);
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
     for (const gpu::WorkItem& item : items) {

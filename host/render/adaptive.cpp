@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace lavaray {
 namespace {
@@ -12,7 +13,7 @@ constexpr double kVarianceExponent = 1.5;
 // Step 1 is a hardness of 2^-50, beyond which nothing shows.
 constexpr double kLowestHardnessLog2 = -50.0;
 constexpr double kStepsPerDoubling = 4.0;
-// In one pass a pixel's samples grow at most by this factor: the first estimates are rough.
+// In one pass a pixel's samples grow at most by this factor, as the first estimates are rough; log2.
 constexpr int kLargestGrowthLog2 = 2;
 // Samples of each half to begin with: what these miss, and all their neighbours' too, is never found, so
 // there are more of them where less may be missed.
@@ -21,6 +22,8 @@ std::uint32_t firstHalfSamples(double targetError) {
   return targetError > 0.003 ? 2 : 4;
 }
 
+// The same where an object falls that these samples can miss.
+constexpr std::uint32_t kSmallObjectHalfSamples = 16;
 // Aims lower than asked for: pixels that look too easy by chance are not looked at again, which makes the
 // estimate a little too low.
 constexpr double kGoalFactor = 0.85;
@@ -52,13 +55,15 @@ int sampleStepOf(std::uint32_t samples) {
 
 }  // namespace
 
-AdaptiveSampling::AdaptiveSampling(int width, int height, double targetError, std::uint32_t maxSamples)
+AdaptiveSampling::AdaptiveSampling(int width, int height, double targetError, std::uint32_t maxSamples,
+                                   std::vector<std::uint64_t> smallObjects)
     : width_(width),
       height_(height),
       goal_(kGoalFactor * targetError),
       firstHalfSamples_(std::min(firstHalfSamples(targetError), maxSamples / 2)),
       maxSampleStep_(std::min(sampleStepOf(maxSamples), kSampleSteps - 1)),
       halves_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      smallObjects_(std::move(smallObjects)),
       hardnessSteps_(halves_.size()) {}
 
 glm::dvec3 AdaptiveSampling::mean(std::uint64_t pixel) const {
@@ -90,8 +95,12 @@ std::vector<gpu::WorkItem> AdaptiveSampling::nextItems() {
   std::vector<gpu::WorkItem> items;
   if (!hasStarted_) {
     hasStarted_ = true;
+    std::vector<std::uint32_t> halfCounts(halves_.size(), firstHalfSamples_);
+    for (const std::uint64_t pixel : smallObjects_) {
+      halfCounts[pixel] = std::max(firstHalfSamples_, std::min(kSmallObjectHalfSamples, largestHalfCount()));
+    }
     for (std::size_t pixel = 0; pixel < halves_.size(); ++pixel)
-      appendSamples(items, pixel, firstHalfSamples_);
+      appendSamples(items, pixel, halfCounts[pixel]);
     return items;
   }
   estimateHardness();
@@ -101,7 +110,8 @@ std::vector<gpu::WorkItem> AdaptiveSampling::nextItems() {
   if (reachedTarget()) return items;
   const double price = choosePrice(counts);
   for (std::size_t pixel = 0; pixel < halves_.size(); ++pixel) {
-    const int step = plannedStep(hardnessSteps_[pixel], sampleStepOf(samples(pixel)), price);
+    const int now = sampleStepOf(samples(pixel));
+    const int step = std::min(plannedStep(hardnessSteps_[pixel], now, price), now + kLargestGrowthLog2);
     appendSamples(items, pixel, (1U << static_cast<unsigned>(step)) / 2);
   }
   return items;
@@ -162,8 +172,8 @@ int AdaptiveSampling::plannedStep(int hardnessStep, int sampleStep, double price
   // Where the derivative of hardness n^(-3/2) is the price.
   const double wanted =
       std::log2(kVarianceExponent * hardnessOf(hardnessStep) / price) / (kVarianceExponent + 1.0);
-  const int largest = std::max(sampleStep, std::min(sampleStep + kLargestGrowthLog2, maxSampleStep_));
-  return std::clamp(static_cast<int>(std::lround(std::clamp(wanted, -1.0, 64.0))), sampleStep, largest);
+  return std::clamp(static_cast<int>(std::lround(std::clamp(wanted, -1.0, 64.0))), sampleStep,
+                    std::max(sampleStep, maxSampleStep_));
 }
 
 double AdaptiveSampling::plannedVariance(const Histogram& counts, double price) const {
@@ -178,8 +188,9 @@ double AdaptiveSampling::plannedVariance(const Histogram& counts, double price) 
   return sum / static_cast<double>(halves_.size());
 }
 
-// The highest price, and so the fewest samples, at which the plan's error is the goal; the lowest that makes
-// a difference where a pass cannot reach it.
+// The highest price, and so the fewest samples, at which the plan's error is the goal. The plan is the whole
+// way there: if a pass's limit on growth counted here, every pixel would be asked to make up for the hard
+// ones.
 double AdaptiveSampling::choosePrice(const Histogram& counts) const {
   double low = -120.0;
   double high = 60.0;

@@ -13,15 +13,17 @@ namespace lavaray {
 //
 // Each pixel has two sequences of samples that are independent of one another, its halves. Half the
 // difference of their means estimates the error of the mean of both, without a bias from the samples
-// themselves; pooled over a pixel and its neighbours it says how hard a pixel is; one that differs from a neighbour may have an edge that all its
-// samples have missed. Samples go where one more
-// lowers the error most: where the error of n samples falls with n^-3/4 (edges and penumbrae under a
-// scrambled net: Mitchell, "Consequences of Stratified Sampling in Graphics", 1996), that makes n
-// proportional to hardness^(2/5). Pure arithmetic: it traces nothing.
+// themselves; pooled over a pixel and its neighbours it says how hard a pixel is; one that differs from a
+// neighbour may have an edge that all its samples have missed. Samples go where one more lowers the error
+// most: where the error of n samples falls with n^-3/4 (edges and penumbrae under a scrambled net: Mitchell,
+// "Consequences of Stratified Sampling in Graphics", 1996), that makes n proportional to hardness^(2/5). Pure
+// arithmetic: it traces nothing.
 class AdaptiveSampling {
  public:
-  // targetError > 0 is in units of a colour of 0..1; maxSamples >= 2 bounds the samples of a pixel.
-  AdaptiveSampling(int width, int height, double targetError, std::uint32_t maxSamples);
+  // targetError > 0 is in units of a colour of 0..1; maxSamples >= 2 bounds the samples of a pixel. The
+  // pixels of small objects get more samples to begin with (see pixelsOfSmallObjects).
+  AdaptiveSampling(int width, int height, double targetError, std::uint32_t maxSamples,
+                   std::vector<std::uint64_t> smallObjects);
 
   // The samples to take next; none where the target is reached or nothing more is allowed. All of them must
   // be added before the next call.
@@ -42,6 +44,9 @@ class AdaptiveSampling {
 
   [[nodiscard]] double difference(std::size_t pixel) const;
   [[nodiscard]] static double unseenEdge(double squaredContrast, std::uint32_t samples);
+  [[nodiscard]] std::uint32_t largestHalfCount() const {
+    return (1U << static_cast<unsigned>(maxSampleStep_)) / 2;
+  }
   void estimateHardness();
   [[nodiscard]] Histogram histogram() const;
   [[nodiscard]] int plannedStep(int hardnessStep, int sampleStep, double price) const;
@@ -57,6 +62,7 @@ class AdaptiveSampling {
   double estimatedError_ = 1.0;
   bool hasStarted_ = false;
   std::vector<std::array<PixelSum, 2>> halves_;
+  std::vector<std::uint64_t> smallObjects_;
   std::vector<std::uint8_t> hardnessSteps_;  // 0 is no error at all
 };
 

@@ -5,6 +5,7 @@
 
 #include "render/adaptive.hpp"
 #include "render/pixel_sum.hpp"
+#include "render/small_objects.hpp"
 
 namespace lavaray {
 namespace {
@@ -19,7 +20,9 @@ class Render {
  public:
   Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings,
          const std::atomic<bool>& interrupted)
-      : settings_(settings),
+      : scene_(scene),
+        camera_(camera),
+        settings_(settings),
         interrupted_(interrupted),
         width_(settings.crop.x1 - settings.crop.x0),
         height_(settings.crop.y1 - settings.crop.y0),
@@ -91,7 +94,8 @@ class Render {
   }
 
   void renderToTarget() {
-    AdaptiveSampling adaptive(width_, height_, *settings_.targetError, settings_.maxSamples);
+    AdaptiveSampling adaptive(width_, height_, *settings_.targetError, settings_.maxSamples,
+                              pixelsOfSmallObjects(scene_, camera_, settings_));
     for (;;) {
       const std::vector<gpu::WorkItem> items = adaptive.nextItems();
       if (items.empty()) {
@@ -111,6 +115,8 @@ class Render {
     for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) setPixel(pixel, adaptive.mean(pixel));
   }
 
+  const GpuScene& scene_;
+  const Camera& camera_;
   RenderSettings settings_;
   const std::atomic<bool>& interrupted_;
   Clock::time_point start_ = Clock::now();

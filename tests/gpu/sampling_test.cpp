@@ -1,4 +1,5 @@
-// Sampled images from the device: determinism, convergence, and agreement with the oracle and with closed forms.
+// Sampled images from the device: determinism, convergence, and agreement with the oracle and with closed
+// forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +28,8 @@ RenderSettings settingsFor(const ImageSize& size, std::uint32_t samples) {
 }
 
 bool sameBits(const Image& a, const Image& b) {
-  return a.rgb.size() == b.rgb.size() && std::memcmp(a.rgb.data(), b.rgb.data(), a.rgb.size() * sizeof(float)) == 0;
+  return a.rgb.size() == b.rgb.size() &&
+         std::memcmp(a.rgb.data(), b.rgb.data(), a.rgb.size() * sizeof(float)) == 0;
 }
 
 double rmse(const Image& image, const std::vector<double>& truth) {
@@ -105,7 +107,8 @@ TEST(Sampling, ConvergesOnEdgesAsScrambledNetsDo) {
 TEST(Sampling, GivesTheAreaOfASpheresImage) {
   Scene scene;
   const double focalLength = 500.0;
-  scene.camera = {{0, 0, 0}, 2.0 * std::atan(256.0 / focalLength) * 180.0 / std::acos(-1.0), focalLength, 1.0};
+  scene.camera = {
+      {0, 0, 0}, 2.0 * std::atan(256.0 / focalLength) * 180.0 / std::acos(-1.0), focalLength, 1.0};
   scene.materials.push_back({glm::dvec3(1.0), glm::dvec3(0.0), glm::dvec3(0.0), 1.0});
   scene.spheres.push_back({{0, 0, -5}, 2.0, 0});
   const Image image = renderScene(scene, settingsFor(imageSize(scene.camera).value(), 64)).image;
@@ -141,9 +144,9 @@ TEST(Sampling, FacingMirrorsGiveAGeometricSeries) {
   }
 }
 
-// The share of pixels whose mean differs from the oracle's by no more than chance allows, at a significance of
-// 0.01 after Sidak's correction for the number of tests, as Mitsuba tests its renders. Both images have as many
-// independent samples' worth of error at most.
+// The share of pixels whose mean differs from the oracle's by no more than chance allows, at a significance
+// of 0.01 after Sidak's correction for the number of tests, as Mitsuba tests its renders. Both images have as
+// many independent samples' worth of error at most.
 double acceptedShare(const Image& image, const oracle::Result& truth, double smallestDeviation) {
   const double tests = 3.0 * static_cast<double>(truth.pixels.size());
   const double significance = 1.0 - std::pow(1.0 - 0.01, 1.0 / tests);
@@ -151,8 +154,10 @@ double acceptedShare(const Image& image, const oracle::Result& truth, double sma
   for (std::size_t pixel = 0; pixel < truth.pixels.size(); ++pixel) {
     bool all = true;
     for (int channel = 0; channel < 3; ++channel) {
-      const double sigma = std::hypot(truth.pixels[pixel].standardError[channel] * std::sqrt(2.0), smallestDeviation);
-      const double off = std::abs(double{image.rgb[3 * pixel + channel]} - truth.pixels[pixel].color[channel]);
+      const double sigma =
+          std::hypot(truth.pixels[pixel].standardError[channel] * std::sqrt(2.0), smallestDeviation);
+      const double off =
+          std::abs(double{image.rgb[3 * pixel + channel]} - truth.pixels[pixel].color[channel]);
       all = all && std::erfc(off / sigma / std::sqrt(2.0)) >= significance;
     }
     accepted += all ? 1 : 0;
@@ -176,10 +181,12 @@ TEST(Sampling, AgreesWithTheOracleByZTest) {
     settings.samples = 1;
     settings.targetError = 0.002;
     // A pixel of an adaptive image may be off by the target where the oracle's is not.
-    const double adaptive = acceptedShare(renderScene(scene, settings).image, truth, std::hypot(kHidden, 0.002));
+    const double adaptive =
+        acceptedShare(renderScene(scene, settings).image, truth, std::hypot(kHidden, 0.002));
     EXPECT_GE(fixed, 0.9975) << name;
     EXPECT_GE(adaptive, 0.9975) << name;
-    std::cout << name << ": " << 100.0 * fixed << " % of the pixels accepted, adaptive " << 100.0 * adaptive << " %\n";
+    std::cout << name << ": " << 100.0 * fixed << " % of the pixels accepted, adaptive " << 100.0 * adaptive
+              << " %\n";
   }
 }
 
@@ -209,7 +216,8 @@ TEST(Sampling, HonoursTargetErrors) {
   }
   EXPECT_GE(honoured, 0.95 * runs);
   EXPECT_LE(wasteful, 0.2 * runs);
-  std::cout << honoured << " of " << runs << " runs at or below their target, " << wasteful << " below a third\n";
+  std::cout << honoured << " of " << runs << " runs at or below their target, " << wasteful
+            << " below a third\n";
 }
 
 }  // namespace
