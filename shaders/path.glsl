@@ -50,31 +50,55 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
   return state.step > kLightCount;
 }
 
-// Returns false where the path could not be finished; state says what is missing.
-bool tracePath(Ray ray, PathSettings settings, inout PathState state, inout RayCounts counts) {
-  uint skipped = kNoSurface;
-  vec3 weight = vec3(1.0);
-  for (uint bounce = 0u; bounce <= settings.maxDepth; ++bounce) {
-    Hit hit = missUpTo(kInfinity);
-    if (!findHit(false, ray, skipped, settings.root, hit)) return false;
-    if (hit.surface == kNoSurface) return true;
-    const SurfacePoint point = surfacePoint(ray, hit);
-    const Material material = materials[hit.object];
-    if (bounce == state.bounce) {
-      if (!addIllumination(ray, hit.surface, point, material, weight, settings, state, counts)) return false;
-      ++state.bounce;
-      state.step = 0u;
+// A path between two of its vertices.
+struct Segment {
+  Ray ray;
+  uint skipped;  // the surface that it leaves
+  vec3 weight;   // product of the mirrors' reflectances so far
+};
+
+// Finds what the segment hits, adds what that shows and replaces the segment by the mirrored one, or sets `ended`.
+// Returns false where it could not be finished; state says what is missing.
+bool followSegment(inout Segment segment, uint bounce, PathSettings settings, inout PathState state,
+                   inout RayCounts counts, out bool ended) {
+  ended = true;
+  Hit hit = missUpTo(kInfinity);
+  if (!findHit(false, segment.ray, segment.skipped, settings.root, hit)) return false;
+  if (hit.surface == kNoSurface) return true;
+  const SurfacePoint point = surfacePoint(segment.ray, hit);
+  const Material material = materials[hit.object];
+  if (!kResumable || bounce == state.bounce) {
+    if (!addIllumination(segment.ray, hit.surface, point, material, segment.weight, settings, state, counts)) {
+      return false;
     }
-    if (!kHasMirrors) return true;
-    weight *= material.reflectance;
-    if (maxComponent(weight) < kMinReflectance) return true;
-    const vec3 incoming = unit(ray.direction);
-    const vec3 direction = incoming - 2.0 * dot(incoming, point.shadingNormal) * point.shadingNormal;
-    ray = Ray(leave(point, direction), direction);
-    skipped = hit.surface;
-    ++counts.mirror;
+    state.bounce = bounce + 1u;
+    state.step = 0u;
   }
-  return state.bounce > settings.maxDepth;
+  if (!kHasMirrors || bounce == settings.maxDepth) return true;
+  segment.weight *= material.reflectance;
+  if (maxComponent(segment.weight) < kMinReflectance) return true;
+  const vec3 incoming = unit(segment.ray.direction);
+  const vec3 direction = incoming - 2.0 * dot(incoming, point.shadingNormal) * point.shadingNormal;
+  segment.ray = Ray(leave(point, direction), direction);
+  segment.skipped = hit.surface;
+  ++counts.mirror;
+  ended = false;
+  return true;
+}
+
+// Returns false where the path could not be finished; state says what is missing. Without mirrors a path is one
+// segment: the loop's condition is then the constant false, and compilers unwrap it, which they do not do with a
+// for loop that turns once.
+bool tracePath(Ray ray, PathSettings settings, inout PathState state, inout RayCounts counts) {
+  Segment segment = Segment(ray, kNoSurface, vec3(1.0));
+  bool finished = false;
+  bool ended = false;
+  uint bounce = 0u;
+  do {
+    finished = followSegment(segment, bounce, settings, state, counts, ended);
+    ++bounce;
+  } while (kHasMirrors && finished && !ended);
+  return finished && ended;
 }
 
 #endif

@@ -34,30 +34,35 @@ Ray sampleRay(uvec2 pixel, uint index, uint seed) {
 float displayed(float c) { return c > 0.0 ? min(c, 1.0) : 0.0; }
 vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g), displayed(color.b)); }
 
-// Takes samples from state.taken on. Returns false where it could not take them all.
+// Takes the sample that the state is at. Returns false where it could not be finished.
+bool takeSample(uvec2 pixel, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
+  PathState path = PathState(state.color, state.bounce, state.step);
+  const PathSettings settings = PathSettings(constants.rootReference, constants.maxDepth, index, seed);
+  const bool finished = tracePath(sampleRay(pixel, index, seed), settings, path, counts);
+  if (finished) {
+    state.sum += displayed(path.color);
+    ++state.taken;
+    path = PathState(vec3(0.0), 0u, 0u);
+  }
+  state.color = path.color;
+  state.bounce = path.bounce;
+  state.step = path.step;
+  return finished;
+}
+
+// Takes samples from state.taken on. Returns false where it could not take them all. The loop is written as that
+// of tracePath, for the same reason.
 bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
   const uvec2 pixel = uvec2(item.pixel % constants.cropWidth + constants.cropX,
                             item.pixel / constants.cropWidth + constants.cropY);
-  const uint pixelSeed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), item.sequence);
-  const uint count = kSampling == kSamplingCenter ? 1u : item.count;
-  for (; state.taken < count; ++state.taken) {
-    const uint index = item.first + state.taken;
-    PathState path = PathState(state.color, state.bounce, state.step);
-    const bool finished = tracePath(sampleRay(pixel, index, pixelSeed),
-                                    PathSettings(constants.rootReference, constants.maxDepth, index, pixelSeed),
-                                    path, counts);
-    if (!finished) {
-      state.color = path.color;
-      state.bounce = path.bounce;
-      state.step = path.step;
-      return false;
-    }
-    state.sum += displayed(path.color);
-    state.color = vec3(0.0);
-    state.bounce = 0u;
-    state.step = 0u;
-  }
-  return state.taken == count;
+  const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), item.sequence);
+  bool finished;
+  uint i = state.taken;
+  do {
+    finished = takeSample(pixel, item.first + i, seed, state, counts);
+    ++i;
+  } while (kSampling != kSamplingCenter && finished && i < item.count);
+  return state.taken == item.count;
 }
 
 // Without sequences the items are consecutive pixels, which need not be read.
