@@ -118,6 +118,25 @@ expect 0 '' "$lavaray" "$dark" $small --normalize -o stretched.pfm
 expect 10 '' "$diff" part.ppm picture.ppm
 holds 'images of different size differ, with both sizes' grep -q 'reference' stdout
 
+# Sampling
+expect 0 '' "$lavaray" "$scene" $small --spp 4 -o four.pfm
+expect 0 '' "$lavaray" "$scene" $small --spp 4 --filter blackman-harris -o filtered.pfm
+expect 10 '' "$diff" four.pfm filtered.pfm
+expect 2 'box, tent, gaussian, blackman-harris' "$lavaray" "$scene" --filter mitchell
+expect 2 '' "$lavaray" "$scene" --spp 0
+expect 2 '' "$lavaray" "$scene" --spp 4 --target-error 0.1
+expect 0 'estimated RMSE' "$lavaray" "$scene" $small --target-error 0.01 --stats -o target.pfm
+expect 0 'stopped +with the most samples' "$lavaray" "$scene" $small --target-error 1e-6 --max-spp 8 --stats -o most.pfm
+expect 0 'stopped +at the time limit' "$lavaray" "$scene" $small --spp 4000000 --time-limit 0.5 --stats -o limited.pfm
+expect 0 '' "$lavaray" "$scene" $small --target-error 0.005 --view samples -o samples.png
+expect 0 '' "$lavaray" "$scene" $small --target-error 0.005 --view error -o error.pfm
+expect 2 'needs --target-error' "$lavaray" "$scene" $small --view error
+expect 0 '' "$lavaray" "$scene" $small --reflect 0.5 -o mirrored.pfm
+expect 0 '' "$lavaray" "$scene" $small --reflect 0.5 --max-depth 0 -o unmirrored.pfm
+expect 10 '' "$diff" mirrored.pfm unmirrored.pfm
+expect 0 '' "$lavaray" "$scene" $small --spp 16 --light-radius 1 -o soft.pfm
+expect 10 '' "$diff" soft.pfm four.pfm
+
 # lavaray-diff
 expect 0 '' "$diff" picture.png picture.png
 holds 'equal images have no error' grep -qE '^RMSE +0$' stdout

@@ -49,6 +49,7 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   settings.targetError = options.targetError;
   settings.maxSamples = options.maxSamples;
   settings.timeLimitSeconds = options.timeLimitSeconds;
+  settings.view = options.view;
   settings.countRays = options.stats;
   return settings;
 }

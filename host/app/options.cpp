@@ -72,6 +72,19 @@ void addSamplingOptions(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"sobol", "random"}));
 }
 
+void addViewOption(CLI::App& app, Options& options) {
+  app.add_option_function<std::string>(
+         "--view",
+         [&options](const std::string& name) {
+           options.view = name == "samples" ? View::kSamples : name == "error" ? View::kError : View::kColor;
+         },
+         "What the image shows: color, samples (of each pixel, in proportion to the most) or error "
+         "(estimated, in "
+         "units of a colour; with --target-error). Default: color")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"color", "samples", "error"}));
+}
+
 void addSceneOptions(CLI::App& app, Options& options) {
   app.add_option("--max-depth", options.maxDepth, "Mirror bounces, 0 to 1000")
       ->type_name("N")
@@ -125,6 +138,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   app.add_option("SCENE", options.scene, "Scene file to render");
   addRenderOptions(app, options, crop);
   addSamplingOptions(app, options);
+  addViewOption(app, options);
   addSceneOptions(app, options);
   addOtherOptions(app, options);
   try {
@@ -138,6 +152,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   if (options.listDevices) return options;
   if (options.scene.empty())
     throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
+  if (options.view == View::kError && !options.targetError) {
+    throw Error(ExitCode::kUsage, "--view error needs --target-error: without, the error is not estimated");
+  }
   if (options.output.empty()) options.output = defaultOutput(options.scene);
   checkOutput(options.output);
   if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};

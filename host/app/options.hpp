@@ -26,6 +26,7 @@ struct Options {
   std::uint32_t maxSamples = 65536;
   std::optional<double> timeLimitSeconds;
   std::uint32_t seed = 0;
+  View view = View::kColor;
   std::uint32_t maxDepth = 8;
   double reflect = 0.0;
   double lightRadius = 0.0;

@@ -76,6 +76,12 @@ std::uint32_t AdaptiveSampling::samples(std::uint64_t pixel) const {
   return halves_[pixel][0].samples() + halves_[pixel][1].samples();
 }
 
+double AdaptiveSampling::estimatedError(std::uint64_t pixel) const {
+  const int step = hardnessSteps_[pixel];
+  if (step == 0 || samples(pixel) == 0) return 0.0;
+  return std::sqrt(hardnessOf(step) * varianceFactor(sampleStepOf(samples(pixel))));
+}
+
 void AdaptiveSampling::add(const gpu::WorkItem& item, const glm::vec3& sum) {
   halves_[item.pixel][item.sequence].add(sum, item.count);
 }

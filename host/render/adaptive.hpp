@@ -32,6 +32,7 @@ class AdaptiveSampling {
 
   [[nodiscard]] bool reachedTarget() const { return estimatedError_ <= goal_; }
   [[nodiscard]] double estimatedError() const { return estimatedError_; }  // RMSE over pixels and channels
+  [[nodiscard]] double estimatedError(std::uint64_t pixel) const;
   [[nodiscard]] glm::dvec3 mean(std::uint64_t pixel) const;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const;
 

@@ -90,7 +90,10 @@ class Render {
       };
       if (!tracer_.run(pixels_ * items, makeItem, takeResult, [&] { return shouldStop(); })) break;
     }
-    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) setPixel(pixel, sums[pixel].mean());
+    showPixels([&](std::uint64_t pixel) { return glm::vec3(sums[pixel].mean()); },
+               [&](std::uint64_t pixel) { return sums[pixel].samples(); },
+               // One sequence does not tell its error.
+               [](std::uint64_t) { return 0.0; });
   }
 
   void renderToTarget() {
@@ -112,7 +115,30 @@ class Render {
       }
     }
     result_.estimatedError = adaptive.estimatedError();
-    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) setPixel(pixel, adaptive.mean(pixel));
+    showPixels([&](std::uint64_t pixel) { return glm::vec3(adaptive.mean(pixel)); },
+               [&](std::uint64_t pixel) { return adaptive.samples(pixel); },
+               [&](std::uint64_t pixel) { return adaptive.estimatedError(pixel); });
+  }
+
+  // Fills the image with what the view asks for.
+  template <typename Color, typename Samples, typename Error>
+  void showPixels(const Color& color, const Samples& samples, const Error& error) {
+    std::uint32_t most = 1;
+    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) most = std::max(most, samples(pixel));
+    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) {
+      switch (settings_.view) {
+        case View::kColor:
+          setPixel(pixel, color(pixel));
+          break;
+        case View::kSamples:
+          setPixel(pixel, glm::vec3(static_cast<float>(samples(pixel)) / static_cast<float>(most)));
+          break;
+        case View::kError:
+          setPixel(pixel, glm::vec3(static_cast<float>(std::min(1.0, error(pixel)))));
+          break;
+      }
+    }
+    result_.mostSamples = most;
   }
 
   const GpuScene& scene_;

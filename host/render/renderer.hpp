@@ -20,7 +20,8 @@ enum class StopReason {
 struct RenderResult {
   Image image;  // of the crop's size; black where no sample was taken
   StopReason stopReason = StopReason::kFinished;
-  double estimatedError = 0.0;  // RMSE, where there was a target
+  double estimatedError = 0.0;    // RMSE, where there was a target
+  std::uint32_t mostSamples = 1;  // of a pixel
   TraceCounts counts;
   std::size_t deviceBytes = 0;
 };

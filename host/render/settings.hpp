@@ -14,6 +14,13 @@ enum class Sampler {
   kRandom,  // independent random numbers; for comparison
 };
 
+// What an image shows.
+enum class View {
+  kColor,
+  kSamples,  // samples of each pixel, in proportion to the most
+  kError,    // estimated error of each pixel, in units of a colour; needs a target error
+};
+
 // So many that the fixed-point sums (see PixelSum) still hold them.
 inline constexpr std::uint32_t kMostSamples = 1U << 22U;
 
@@ -30,6 +37,7 @@ struct RenderSettings {
   std::optional<double> targetError;
   std::uint32_t maxSamples = 65536;
   std::optional<double> timeLimitSeconds;
+  View view = View::kColor;
   bool countRays = false;
 };
 
