@@ -56,7 +56,8 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
                               std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
   capacity_ = static_cast<std::uint32_t>(std::min({kMaxPieceItems, reachable, items}));
-  pieceItems_ = kFirstPieceRays / static_cast<double>(1 + scene.lights.size());
+  pieceItems_ =
+      std::max(double{gpu::kWorkGroupSize}, kFirstPieceRays / static_cast<double>(1 + scene.lights.size()));
 
   const std::vector<float> filter = filterTable(settings.filter);
   constants_ = dispatchConstants(camera, settings, scene, filter.size());
