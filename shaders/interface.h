@@ -41,6 +41,11 @@ const uint kMaxShadowRaysPerDispatch = 256u;
 // loses nothing that an image shows; the host adds the sums of work items without rounding.
 const uint kMaxSamplesPerItem = 4u;
 
+// Directions in which a sample looks at a spherical light where its colour may exceed 1. The light's term is a
+// mean over directions that is clamped afterwards: below 1 that is the mean over samples of one direction each,
+// above it a sample needs a mean of its own.
+const uint kClampedLightDirections = 16u;
+
 // A mirror ray is dropped when every channel of its weight is below.
 const float kMinReflectance = 1e-4f;
 

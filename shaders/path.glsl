@@ -27,6 +27,39 @@ struct PathSettings {
   uint seed;      // its sequence
 };
 
+// Directions in which to look at spherical lights from a point: one, unless what the path shows may exceed 1 with
+// all lights unblocked. What mirrors may add is guessed: 1 for the next point, 1/2 for the ones before, which must
+// not be taken from the path's state since that is not the same when it is resumed.
+uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 weight, uint bounce) {
+  vec3 color = material.ambient + (kHasMirrors ? material.reflectance : vec3(0.0));
+  for (uint i = 0u; i < kLightCount; ++i) {
+    const Light light = lights[i];
+    color += phong(material, light, point.shadingNormal, unit(light.position - point.position), toViewer);
+  }
+  color = weight * color + (bounce > 0u ? 0.5 : 0.0);
+  return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
+}
+
+// The light's term: the mean over the directions of a spherical light. Returns false where the device ended the
+// search for shadows.
+bool lightTerm(Light light, SurfacePoint point, uint surface, Material material, vec3 toViewer,
+               PathSettings settings, uint seed, uint lightDirections, inout RayCounts counts, out vec3 term) {
+  const uint directions = light.radius > 0.0 ? lightDirections : 1u;
+  term = vec3(0.0);
+  bool finished;
+  uint i = 0u;
+  do {
+    const LightSample s = sampleLight(light, point.position, settings.index * directions + i, seed);
+    bool blocked;
+    finished = findShadow(point, surface, s.target, settings.root, blocked);
+    ++counts.shadow;
+    if (!blocked) term += phong(material, light, point.shadingNormal, s.toLight, toViewer);
+    ++i;
+  } while (kHasSphericalLights && finished && i < directions);
+  if (kHasSphericalLights) term /= float(directions);
+  return finished && (!kHasSphericalLights || i == directions);
+}
+
 // Adds what the surface shows by itself, times `weight`, from state.step on. Returns false where the device
 // ended the loops or the dispatch has traced its share of shadow rays; state says what is missing.
 bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material material, vec3 weight,
@@ -36,16 +69,17 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
     state.step = 1u;
   }
   const vec3 toViewer = -unit(ray.direction);
+  uint directions = 1u;
+  if (kHasSphericalLights) directions = lightDirections(point, material, toViewer, weight, state.bounce);
   for (; state.step <= kLightCount; ++state.step) {
-    if (kResumable && counts.shadow == kMaxShadowRaysPerDispatch) return false;
+    if (kResumable && counts.shadow >= kMaxShadowRaysPerDispatch) return false;
     const uint i = state.step - 1u;
     const Light light = lights[i];
     const uint use = 1u + state.bounce * kLightCount + i;
-    const LightSample s = sampleLight(light, point.position, settings.index, hashCombine(settings.seed, use));
-    bool blocked;
-    if (!findShadow(point, surface, s.target, settings.root, blocked)) return false;
-    ++counts.shadow;
-    if (!blocked) state.color += weight * phong(material, light, point.shadingNormal, s.toLight, toViewer);
+    const uint seed = hashCombine(settings.seed, use);
+    vec3 term;
+    if (!lightTerm(light, point, surface, material, toViewer, settings, seed, directions, counts, term)) return false;
+    state.color += weight * term;
   }
   return state.step > kLightCount;
 }

@@ -71,8 +71,9 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
   buffers_.push_back(vulkan::Buffer::shared(device, "unfinished work", sizeof(gpu::WorkState)));
   buffers_.push_back(vulkan::Buffer::shared(device, "dispatch status", sizeof(gpu::DispatchStatus)));
   specialization_ = specialization(scene, settings);
+  const std::uint64_t directions = scene.hasSphericalLights ? gpu::kClampedLightDirections : 1;
   const std::uint64_t shadowRays =
-      std::uint64_t{gpu::kMaxSamplesPerItem} * scene.lights.size() * (1 + constants_.maxDepth);
+      std::uint64_t{gpu::kMaxSamplesPerItem} * directions * scene.lights.size() * (1 + constants_.maxDepth);
   if (shadowRays <= gpu::kMaxShadowRaysPerDispatch) direct_.emplace(makeShader(false));
 }
 

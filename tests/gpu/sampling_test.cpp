@@ -144,6 +144,29 @@ TEST(Sampling, FacingMirrorsGiveAGeometricSeries) {
   }
 }
 
+// A spherical light's term is a mean that is clamped afterwards. The same scene, four times darker, is never
+// clamped: its mean times four, clamped here, is what the bright one must show.
+TEST(Sampling, ClampsTheMeanOfALightNotItsParts) {
+  const auto sceneOf = [](double brightness) {
+    Scene scene;
+    // A wall that fills the image, with the half-shadow of a sphere beside it.
+    scene.camera = {{0, 0, 0}, 40.0, 60.0, 1.2};
+    scene.materials = {{glm::dvec3(0.5 * brightness), glm::dvec3(1.8 * brightness), glm::dvec3(0.0), 1.0},
+                       {glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0), 1.0}};
+    scene.planes = {{{0, 0, 1}, {0, 0, -10}, 0}};
+    scene.spheres = {{{6, 0, -6}, 1.0, 1}};
+    scene.lights.push_back({{12, 0, -2}, glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0), 1.5});
+    return scene;
+  };
+  const ImageSize size = reducedSize(sceneOf(1.0).camera, 60);
+  const Image dark = renderScene(sceneOf(0.25), settingsFor(size, 1024)).image;
+  std::vector<double> expected;
+  for (const float value : dark.rgb) expected.push_back(std::min(1.0, 4.0 * double{value}));
+  const Image bright = renderScene(sceneOf(1.0), settingsFor(size, 256)).image;
+  EXPECT_LT(rmse(bright, expected), 0.01);
+  std::cout << "RMSE " << rmse(bright, expected) << '\n';
+}
+
 // The share of pixels whose mean differs from the oracle's by no more than chance allows, at a significance
 // of 0.01 after Sidak's correction for the number of tests, as Mitsuba tests its renders. Both images have as
 // many independent samples' worth of error at most.
