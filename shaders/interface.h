@@ -19,7 +19,7 @@ using uint = std::uint32_t;
 #define LAVARAY_SIZE(Struct, bytes)
 #endif
 
-// Invocations of one work group; each renders a pixel.
+// Invocations of one work group; each does a work item.
 const uint kWorkGroupSize = 64u;
 
 // A path from the root to a leaf passes at most this many inner nodes. The builder obeys it, flattening

@@ -12,8 +12,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A fixed number of samples is taken in rounds of so many a pixel, so that a render that is stopped has about
-// the same number everywhere.
+// A fixed number of samples is taken in rounds of so many a pixel at most, so that a render that is stopped
+// has about the same number everywhere. The first rounds are small: a pixel without a sample is black.
 constexpr std::uint32_t kRoundSamples = 64;
 
 class Render {
@@ -71,14 +71,19 @@ class Render {
 
   void renderCenters() {
     tracer_.run(
-        pixels_, {}, [&](std::uint64_t pixel, const glm::vec3& color) { setPixel(pixel, color); },
+        pixels_, {},
+        [&](std::uint64_t pixel, const glm::vec3& color) {
+          setPixel(pixel, settings_.view == View::kSamples ? glm::vec3(1.0F) : color);
+        },
         [&] { return shouldStop(); });
   }
 
   void renderSamples() {
     std::vector<PixelSum> sums(pixels_);
-    for (std::uint32_t done = 0; done < settings_.samples; done += kRoundSamples) {
-      const std::uint32_t samples = std::min(kRoundSamples, settings_.samples - done);
+    std::uint32_t done = 0;
+    while (done < settings_.samples) {
+      const std::uint32_t round = std::clamp(done, gpu::kMaxSamplesPerItem, kRoundSamples);
+      const std::uint32_t samples = std::min(round, settings_.samples - done);
       const std::uint32_t items = (samples + gpu::kMaxSamplesPerItem - 1) / gpu::kMaxSamplesPerItem;
       const auto makeItem = [&](std::uint64_t index) {
         const auto offset = static_cast<std::uint32_t>(index % items) * gpu::kMaxSamplesPerItem;
@@ -89,6 +94,7 @@ class Render {
         sums[index / items].add(sum, makeItem(index).count);
       };
       if (!tracer_.run(pixels_ * items, makeItem, takeResult, [&] { return shouldStop(); })) break;
+      done += samples;
     }
     showPixels([&](std::uint64_t pixel) { return glm::vec3(sums[pixel].mean()); },
                [&](std::uint64_t pixel) { return sums[pixel].samples(); },

@@ -21,7 +21,7 @@ struct TraceCounts {
 // A scene on a device, with the pipeline for what the scene has: it takes samples of pixels.
 class Tracer {
  public:
-  // `pixels` is the most that a pass will have; buffers are no larger than that asks for.
+  // `items` is how many a run has about; buffers are no larger than that asks for.
   Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings,
          std::uint64_t items);
 
