@@ -77,6 +77,9 @@ const uint kSpecResumable = 8u;
 const uint kSpecCountRays = 9u;
 const uint kSpecCount = 10u;
 
+// A WorkResult's squares where there is none yet.
+const float kUnfinished = -1.0f;
+
 // Values of DispatchConstants::pass: which work items a dispatch does. Only a resumable pipeline can leave an
 // item half done and go on with it.
 const uint kPassAll = 0u;
@@ -175,14 +178,14 @@ struct WorkItem {
 };
 LAVARAY_SIZE(WorkItem, 16);
 
-// The sum of a work item's colours, each clamped to [0, 1].
+// The sum of a work item's colours, each clamped to [0, 1], and of their squares in the mean over the channels.
 struct WorkResult {
   vec3 sum;
-  uint finished;  // 0: the item needs another dispatch
+  float squares;  // kUnfinished: the item needs another dispatch
 };
 LAVARAY_SIZE(WorkResult, 16);
 
-// How far an unfinished work item has come: its finished samples, and of the one under way the path's colour so
+// How far an unfinished work item has come: its finished samples with their sums, and of the one under way the path's colour so
 // far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i).
 struct WorkState {
   vec3 sum;
@@ -190,9 +193,9 @@ struct WorkState {
   vec3 color;
   uint bounce;
   uint step;
+  float squares;
   uint padding0;
   uint padding1;
-  uint padding2;
 };
 LAVARAY_SIZE(WorkState, 48);
 

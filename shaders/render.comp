@@ -40,7 +40,9 @@ bool takeSample(uvec2 pixel, uint index, uint seed, inout WorkState state, inout
   const PathSettings settings = PathSettings(constants.rootReference, constants.maxDepth, index, seed);
   const bool finished = tracePath(sampleRay(pixel, index, seed), settings, path, counts);
   if (finished) {
-    state.sum += displayed(path.color);
+    const vec3 color = displayed(path.color);
+    state.sum += color;
+    state.squares += dot(color, color) / 3.0;
     ++state.taken;
     path = PathState(vec3(0.0), 0u, 0u);
   }
@@ -78,9 +80,9 @@ bool sameProgress(WorkState a, WorkState b) {
 void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.itemCount) return;
-  WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0u, 0u, 0u);
+  WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0.0, 0u, 0u);
   if (kResumable && constants.pass != kPassAll) {
-    if (results[index].finished != 0u) return;
+    if (results[index].squares >= 0.0) return;
     if (constants.pass == kPassResumed) state = states[index];
   }
   const WorkState before = state;
@@ -97,5 +99,5 @@ void main() {
       states[index] = state;
     }
   }
-  results[index] = WorkResult(state.sum, finished ? 1u : 0u);
+  results[index] = WorkResult(state.sum, finished ? state.squares : kUnfinished);
 }

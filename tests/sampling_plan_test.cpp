@@ -62,6 +62,12 @@ TEST(PixelSum, KeepsSmallTermsAmongAMillion) {
   EXPECT_NEAR(sum.mean().b, 1e-6, 1e-12);
 }
 
+gpu::WorkResult blackOrWhite(const gpu::WorkItem& item, double probabilityOfWhite, std::mt19937& random) {
+  std::binomial_distribution<unsigned> hits(item.count, probabilityOfWhite);
+  const auto white = static_cast<float>(hits(random));
+  return {glm::vec3(white), white};
+}
+
 // Pixels that an edge crosses: sample i of either half is 1 with the edge's coverage as probability,
 // stratified.
 class EdgeImage {
@@ -76,9 +82,8 @@ class EdgeImage {
     }
   }
   [[nodiscard]] double truth(std::size_t pixel) const { return coverage_[pixel]; }
-  [[nodiscard]] glm::vec3 sum(const gpu::WorkItem& item, std::mt19937& random) const {
-    std::binomial_distribution<unsigned> hits(item.count, coverage_[item.pixel]);
-    return glm::vec3(static_cast<float>(hits(random)));
+  [[nodiscard]] gpu::WorkResult sum(const gpu::WorkItem& item, std::mt19937& random) const {
+    return blackOrWhite(item, coverage_[item.pixel], random);
   }
 
  private:
@@ -116,8 +121,10 @@ TEST(AdaptiveSampling, LeavesAPlainImageAlone) {
   AdaptiveSampling adaptive(50, 40, 0.01, 1024, {});
   std::size_t passes = 0;
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-    for (const gpu::WorkItem& item : items)
-      adaptive.add(item, glm::vec3(0.25F * static_cast<float>(item.count)));
+    for (const gpu::WorkItem& item : items) {
+      const auto count = static_cast<float>(item.count);
+      adaptive.add(item, {glm::vec3(0.25F * count), 0.0625F * count});
+    }
     ++passes;
   }
   EXPECT_EQ(passes, 1U);
@@ -130,10 +137,7 @@ TEST(AdaptiveSampling, StopsAtTheMostSamplesAllowed) {
   AdaptiveSampling adaptive(20, 20, 1e-4, 64, {});
   std::mt19937 random(3);
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-    for (const gpu::WorkItem& item : items) {
-      std::binomial_distribution<unsigned> hits(item.count, 0.5);
-      adaptive.add(item, glm::vec3(static_cast<float>(hits(random))));
-    }
+    for (const gpu::WorkItem& item : items) adaptive.add(item, blackOrWhite(item, 0.5, random));
   }
   EXPECT_FALSE(adaptive.reachedTarget());
   for (std::size_t pixel = 0; pixel < 400; ++pixel) EXPECT_LE(adaptive.samples(pixel), 64U);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/parallel.hpp"
+
 namespace lavaray {
 namespace {
 
@@ -13,20 +15,16 @@ constexpr double kVarianceExponent = 1.5;
 // Step 1 is a hardness of 2^-50, beyond which nothing shows.
 constexpr double kLowestHardnessLog2 = -50.0;
 constexpr double kStepsPerDoubling = 4.0;
+constexpr int kHardnessSteps = 256;
+constexpr int kSampleSteps = 24;
 // In one pass a pixel's samples grow at most by this factor, as the first estimates are rough; log2.
 constexpr int kLargestGrowthLog2 = 2;
-// Samples of each half to begin with: what these miss, and all their neighbours' too, is never found, so
-// there are more of them where less may be missed.
-std::uint32_t firstHalfSamples(double targetError) {
-  if (targetError > 0.01) return 1;
-  return targetError > 0.003 ? 2 : 4;
-}
-
-// The same where an object falls that these samples can miss.
+// Samples of each half to begin with, and where an object falls that so few can miss.
+constexpr std::uint32_t kFirstHalfSamples = 1;
 constexpr std::uint32_t kSmallObjectHalfSamples = 16;
 // Aims lower than asked for: pixels that look too easy by chance are not looked at again, which makes the
 // estimate a little too low.
-constexpr double kGoalFactor = 0.85;
+constexpr double kGoalFactor = 0.9;
 // Of the pixels that differ from a neighbour, how many have an edge that was missed. Measured: higher and the
 // target is undercut for nothing, lower and it is passed.
 constexpr double kUnseenShare = 0.1;
@@ -42,15 +40,44 @@ double varianceFactor(int sampleStep) {
 std::uint8_t hardnessStep(double hardness) {
   if (!(hardness > 0.0)) return 0;
   const double step = 1.5 + kStepsPerDoubling * (std::log2(hardness) - kLowestHardnessLog2);
-  return static_cast<std::uint8_t>(std::clamp(step, 0.0, 255.0));
+  return static_cast<std::uint8_t>(std::clamp(step, 0.0, kHardnessSteps - 1.0));
 }
 
-double meanSquare(const glm::dvec3& v) {
-  return (v.r * v.r + v.g * v.g + v.b * v.b) / 3.0;
+template <typename Vector>
+auto meanSquare(const Vector& v) {
+  return (v.r * v.r + v.g * v.g + v.b * v.b) / 3;
 }
 
 int sampleStepOf(std::uint32_t samples) {
   return static_cast<int>(std::bit_width(samples)) - 1;
+}
+
+// What the samples of two halves gain by stratification at an edge, in units of hardness over variance;
+// measured.
+constexpr double kUsualStratification = 0.9;
+// Pixels to each side of a pixel that say what is gained there.
+constexpr int kStratificationReach = 2;
+// On a slope of shading that runs straight through pixels, two neighbours' squared contrast is at most so
+// many times the variance within one: 12 across the pixels' sides, and as much again for what chance does.
+constexpr double kSlopeContrast = 24.0;
+
+// Where two pixels differ there may be an edge that happens to lie beyond all samples of either. Of an edge
+// that covers a share c of the pixel, all c alike, and that n samples have missed, c^2 is 2 / ((n + 2) (n +
+// 3)) in the mean.
+double unseenEdge(double squaredContrast, double samples) {
+  return kUnseenShare * squaredContrast * 2.0 / ((samples + 2.0) * (samples + 3.0));
+}
+
+// How much a neighbour's variance says of a pixel's own, of which n samples are known. In a penumbra where
+// few samples are blocked a pixel may have met none and be as hard as one that has: their contrast is small
+// against the variance. Beside an edge the contrast is large. If the neighbour's samples have two values, one
+// of them the pixel's own, they have the other one with this probability q, and (1 - q)^n is the chance that
+// the pixel has met none though it is alike; taken twice, as the variance is itself a guess.
+double likeness(double squaredContrast, double neighbourVariance, double n) {
+  if (squaredContrast == 0.0) return 1.0;
+  if (neighbourVariance == 0.0) return 0.0;
+  const double q = squaredContrast / (squaredContrast + neighbourVariance);
+  return std::exp(-2.0 * n * q);
 }
 
 }  // namespace
@@ -60,20 +87,19 @@ AdaptiveSampling::AdaptiveSampling(int width, int height, double targetError, st
     : width_(width),
       height_(height),
       goal_(kGoalFactor * targetError),
-      firstHalfSamples_(std::min(firstHalfSamples(targetError), maxSamples / 2)),
       maxSampleStep_(std::min(sampleStepOf(maxSamples), kSampleSteps - 1)),
-      halves_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       smallObjects_(std::move(smallObjects)),
-      hardnessSteps_(halves_.size()) {}
+      hardnessSteps_(pixels_.size()) {}
 
 glm::dvec3 AdaptiveSampling::mean(std::uint64_t pixel) const {
-  PixelSum sum = halves_[pixel][0];
-  sum.add(halves_[pixel][1]);
+  PixelSum sum = pixels_[pixel].halves[0];
+  sum.add(pixels_[pixel].halves[1]);
   return sum.mean();
 }
 
 std::uint32_t AdaptiveSampling::samples(std::uint64_t pixel) const {
-  return halves_[pixel][0].samples() + halves_[pixel][1].samples();
+  return pixels_[pixel].halves[0].samples() + pixels_[pixel].halves[1].samples();
 }
 
 double AdaptiveSampling::estimatedError(std::uint64_t pixel) const {
@@ -82,14 +108,15 @@ double AdaptiveSampling::estimatedError(std::uint64_t pixel) const {
   return std::sqrt(hardnessOf(step) * varianceFactor(sampleStepOf(samples(pixel))));
 }
 
-void AdaptiveSampling::add(const gpu::WorkItem& item, const glm::vec3& sum) {
-  halves_[item.pixel][item.sequence].add(sum, item.count);
+void AdaptiveSampling::add(const gpu::WorkItem& item, const gpu::WorkResult& result) {
+  pixels_[item.pixel].halves[item.sequence].add(result.sum, item.count);
+  pixels_[item.pixel].squares += result.squares;
 }
 
 void AdaptiveSampling::appendSamples(std::vector<gpu::WorkItem>& items, std::size_t pixel,
                                      std::uint32_t halfCount) const {
   for (gpu::uint half = 0; half < 2; ++half) {
-    for (std::uint32_t first = halves_[pixel][half].samples(); first < halfCount;
+    for (std::uint32_t first = pixels_[pixel].halves[half].samples(); first < halfCount;
          first += gpu::kMaxSamplesPerItem) {
       items.push_back(
           {static_cast<gpu::uint>(pixel), half, first, std::min(gpu::kMaxSamplesPerItem, halfCount - first)});
@@ -97,25 +124,29 @@ void AdaptiveSampling::appendSamples(std::vector<gpu::WorkItem>& items, std::siz
   }
 }
 
+void AdaptiveSampling::appendFirstSamples(std::vector<gpu::WorkItem>& items) const {
+  std::vector<std::uint32_t> halfCounts(pixels_.size(), kFirstHalfSamples);
+  for (const std::uint64_t pixel : smallObjects_) {
+    halfCounts[pixel] = std::min(kSmallObjectHalfSamples, largestHalfCount());
+  }
+  items.reserve(2 * pixels_.size());
+  for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) appendSamples(items, pixel, halfCounts[pixel]);
+}
+
 std::vector<gpu::WorkItem> AdaptiveSampling::nextItems() {
   std::vector<gpu::WorkItem> items;
   if (!hasStarted_) {
     hasStarted_ = true;
-    std::vector<std::uint32_t> halfCounts(halves_.size(), firstHalfSamples_);
-    for (const std::uint64_t pixel : smallObjects_) {
-      halfCounts[pixel] = std::max(firstHalfSamples_, std::min(kSmallObjectHalfSamples, largestHalfCount()));
-    }
-    for (std::size_t pixel = 0; pixel < halves_.size(); ++pixel)
-      appendSamples(items, pixel, halfCounts[pixel]);
+    appendFirstSamples(items);
     return items;
   }
   estimateHardness();
-  const Histogram counts = histogram();
+  const std::vector<Class> all = classes();
   // At an infinite price nothing more is bought: what is left is the error as it is.
-  estimatedError_ = std::sqrt(plannedVariance(counts, INFINITY));
+  estimatedError_ = std::sqrt(plannedVariance(all, INFINITY));
   if (reachedTarget()) return items;
-  const double price = choosePrice(counts);
-  for (std::size_t pixel = 0; pixel < halves_.size(); ++pixel) {
+  const double price = choosePrice(all);
+  for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
     const int now = sampleStepOf(samples(pixel));
     const int step = std::min(plannedStep(hardnessSteps_[pixel], now, price), now + kLargestGrowthLog2);
     appendSamples(items, pixel, (1U << static_cast<unsigned>(step)) / 2);
@@ -123,53 +154,84 @@ std::vector<gpu::WorkItem> AdaptiveSampling::nextItems() {
   return items;
 }
 
-// Mean over the channels of the squared half difference of the halves' means.
-double AdaptiveSampling::difference(std::size_t pixel) const {
-  return meanSquare((halves_[pixel][0].mean() - halves_[pixel][1].mean()) / 2.0);
+AdaptiveSampling::Statistics AdaptiveSampling::statistics(std::size_t pixel) const {
+  const std::array<PixelSum, 2>& halves = pixels_[pixel].halves;
+  const double n = samples(pixel);
+  const glm::dvec3 pixelMean = mean(pixel);
+  const double difference = meanSquare((halves[0].mean() - halves[1].mean()) / 2.0);
+  const double variance = std::max(0.0, pixels_[pixel].squares - n * meanSquare(pixelMean)) / (n - 1.0);
+  return {glm::vec3(pixelMean), static_cast<float>(difference * std::pow(n, kVarianceExponent)),
+          static_cast<float>(variance)};
 }
 
-// Where two pixels differ there may be an edge that happens to lie beyond all samples of either. Of an edge
-// that covers a share c of the pixel, all c alike, and that n samples have missed, c^2 is 2 / ((n + 2) (n +
-// 3)) in the mean.
-double AdaptiveSampling::unseenEdge(double squaredContrast, std::uint32_t samples) {
-  const double n = samples;
-  return kUnseenShare * squaredContrast * 2.0 / ((n + 2.0) * (n + 3.0));
+double AdaptiveSampling::stratification(int x, int y, const std::vector<Statistics>& all) const {
+  double differences = 0.0;
+  double variances = 0.0;
+  double count = 0.0;
+  for (int v = std::max(0, y - kStratificationReach); v <= std::min(height_ - 1, y + kStratificationReach);
+       ++v) {
+    for (int u = std::max(0, x - kStratificationReach); u <= std::min(width_ - 1, x + kStratificationReach);
+         ++u) {
+      const Statistics& s = all[static_cast<std::size_t>(v) * width_ + u];
+      differences += double{s.difference};
+      variances += double{s.variance};
+      ++count;
+    }
+  }
+  // As if one more pixel had been met, with the usual gain: halves that are equal by chance are not free of
+  // error.
+  return variances > 0.0 ? (count * differences / variances + kUsualStratification) / (count + 1.0) : 0.0;
+}
+
+double AdaptiveSampling::hardness(int x, int y, const std::vector<Statistics>& all) const {
+  const std::size_t pixel = static_cast<std::size_t>(y) * width_ + x;
+  const Statistics& own = all[pixel];
+  const double n = samples(pixel);
+  double variance = 0.0;
+  double weights = 0.0;
+  double largestContrast = 0.0;
+  for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
+      const Statistics& neighbour = all[static_cast<std::size_t>(v) * width_ + u];
+      const double contrast = double{meanSquare(neighbour.mean - own.mean)};
+      const double weight = likeness(contrast, double{neighbour.variance}, n);
+      variance += weight * double{neighbour.variance};
+      weights += weight;
+      largestContrast = std::max(largestContrast, contrast);
+    }
+  }
+  const double seen = variance > 0.0 ? stratification(x, y, all) * variance / weights : 0.0;
+  const double unexplained = std::max(0.0, largestContrast - kSlopeContrast * double{own.variance});
+  return std::max(seen, unseenEdge(unexplained, n) * std::pow(n, kVarianceExponent));
 }
 
 void AdaptiveSampling::estimateHardness() {
-  std::vector<double> own(halves_.size());
-  std::vector<glm::dvec3> means(halves_.size());
-  for (std::size_t pixel = 0; pixel < own.size(); ++pixel) {
-    own[pixel] = difference(pixel) / varianceFactor(sampleStepOf(samples(pixel)));
-    means[pixel] = mean(pixel);
-  }
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      const std::size_t pixel = static_cast<std::size_t>(y) * width_ + x;
-      double sum = 0.0;
-      int count = 0;
-      double squaredContrast = 0.0;
-      for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
-        for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
-          const std::size_t neighbour = static_cast<std::size_t>(v) * width_ + u;
-          sum += own[neighbour];
-          squaredContrast = std::max(squaredContrast, meanSquare(means[neighbour] - means[pixel]));
-          ++count;
-        }
-      }
-      const double unseen =
-          unseenEdge(squaredContrast, samples(pixel)) / varianceFactor(sampleStepOf(samples(pixel)));
-      hardnessSteps_[pixel] = hardnessStep(std::max(sum / count, unseen));
+  std::vector<Statistics> all(pixels_.size());
+  const auto rows = static_cast<std::size_t>(height_);
+  const auto columns = static_cast<std::size_t>(width_);
+  parallelFor(rows, hardwareThreads(), [&](std::size_t y) {
+    for (std::size_t pixel = y * columns; pixel < (y + 1) * columns; ++pixel) all[pixel] = statistics(pixel);
+  });
+  parallelFor(rows, hardwareThreads(), [&](std::size_t y) {
+    for (std::size_t x = 0; x < columns; ++x) {
+      hardnessSteps_[y * columns + x] = hardnessStep(hardness(static_cast<int>(x), static_cast<int>(y), all));
     }
-  }
+  });
 }
 
-AdaptiveSampling::Histogram AdaptiveSampling::histogram() const {
-  Histogram counts{};
-  for (std::size_t pixel = 0; pixel < halves_.size(); ++pixel) {
+std::vector<AdaptiveSampling::Class> AdaptiveSampling::classes() const {
+  std::array<std::array<std::uint32_t, kSampleSteps>, kHardnessSteps> counts{};
+  for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
     ++counts[hardnessSteps_[pixel]][sampleStepOf(samples(pixel))];
   }
-  return counts;
+  std::vector<Class> result;
+  for (int hardness = 1; hardness < kHardnessSteps; ++hardness) {
+    for (int samples = 0; samples < kSampleSteps; ++samples) {
+      if (counts[hardness][samples] > 0)
+        result.push_back({hardness, samples, static_cast<double>(counts[hardness][samples])});
+    }
+  }
+  return result;
 }
 
 // log2 of the samples that a pixel shall have, at a price of one sample in units of variance.
@@ -182,27 +244,24 @@ int AdaptiveSampling::plannedStep(int hardnessStep, int sampleStep, double price
                     std::max(sampleStep, maxSampleStep_));
 }
 
-double AdaptiveSampling::plannedVariance(const Histogram& counts, double price) const {
+double AdaptiveSampling::plannedVariance(const std::vector<Class>& all, double price) const {
   double sum = 0.0;
-  for (int hardness = 1; hardness < kHardnessSteps; ++hardness) {
-    for (int samples = 0; samples < kSampleSteps; ++samples) {
-      const std::uint32_t count = counts[hardness][samples];
-      if (count > 0)
-        sum += count * hardnessOf(hardness) * varianceFactor(plannedStep(hardness, samples, price));
-    }
+  for (const Class& c : all) {
+    sum += c.pixels * hardnessOf(c.hardnessStep) *
+           varianceFactor(plannedStep(c.hardnessStep, c.sampleStep, price));
   }
-  return sum / static_cast<double>(halves_.size());
+  return sum / static_cast<double>(pixels_.size());
 }
 
 // The highest price, and so the fewest samples, at which the plan's error is the goal. The plan is the whole
 // way there: if a pass's limit on growth counted here, every pixel would be asked to make up for the hard
 // ones.
-double AdaptiveSampling::choosePrice(const Histogram& counts) const {
+double AdaptiveSampling::choosePrice(const std::vector<Class>& all) const {
   double low = -120.0;
   double high = 60.0;
   for (int i = 0; i < 40; ++i) {
     const double middle = (low + high) / 2.0;
-    const bool enough = plannedVariance(counts, std::exp2(middle)) <= goal_ * goal_;
+    const bool enough = plannedVariance(all, std::exp2(middle)) <= goal_ * goal_;
     (enough ? low : high) = middle;
   }
   return std::exp2(low);

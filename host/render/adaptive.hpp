@@ -13,11 +13,12 @@ namespace lavaray {
 //
 // Each pixel has two sequences of samples that are independent of one another, its halves. Half the
 // difference of their means estimates the error of the mean of both, without a bias from the samples
-// themselves; pooled over a pixel and its neighbours it says how hard a pixel is; one that differs from a
-// neighbour may have an edge that all its samples have missed. Samples go where one more lowers the error
-// most: where the error of n samples falls with n^-3/4 (edges and penumbrae under a scrambled net: Mitchell,
-// "Consequences of Stratified Sampling in Graphics", 1996), that makes n proportional to hardness^(2/5). Pure
-// arithmetic: it traces nothing.
+// themselves. From one pixel that estimate is rough: so the differences of a pixel and its neighbours say how
+// much the samples' stratification gains there, and the variance of the pixel's own samples says how hard it
+// is; one that differs from a neighbour may have an edge that all its samples have missed. Samples go where
+// one more lowers the error most: where the error of n samples falls with n^-3/4 (edges and penumbrae under a
+// scrambled net: Mitchell, "Consequences of Stratified Sampling in Graphics", 1996), that makes n
+// proportional to hardness^(2/5). Pure arithmetic: it traces nothing.
 class AdaptiveSampling {
  public:
   // targetError > 0 is in units of a colour of 0..1; maxSamples >= 2 bounds the samples of a pixel. The
@@ -26,9 +27,9 @@ class AdaptiveSampling {
                    std::vector<std::uint64_t> smallObjects);
 
   // The samples to take next; none where the target is reached or nothing more is allowed. All of them must
-  // be added before the next call.
+  // be added, in this order, before the next call.
   std::vector<gpu::WorkItem> nextItems();
-  void add(const gpu::WorkItem& item, const glm::vec3& sum);
+  void add(const gpu::WorkItem& item, const gpu::WorkResult& result);
 
   [[nodiscard]] bool reachedTarget() const { return estimatedError_ <= goal_; }
   [[nodiscard]] double estimatedError() const { return estimatedError_; }  // RMSE over pixels and channels
@@ -37,32 +38,45 @@ class AdaptiveSampling {
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const;
 
  private:
+  struct Pixel {
+    std::array<PixelSum, 2> halves;
+    double squares = 0.0;  // sum over the samples of the mean over the channels of the squared colour
+  };
+  // What a pixel's samples say, apart from its neighbours.
+  struct Statistics {
+    glm::vec3 mean;
+    float difference;  // of the halves, squared, in units of hardness
+    float variance;    // of a sample
+  };
   // Hardness is quantised to steps of a factor 2^(1/4) and sample counts are powers of two, so that a plan
   // for a million pixels is one for a few hundred classes.
-  static constexpr int kHardnessSteps = 256;
-  static constexpr int kSampleSteps = 24;
-  using Histogram = std::array<std::array<std::uint32_t, kSampleSteps>, kHardnessSteps>;
+  struct Class {
+    int hardnessStep;
+    int sampleStep;
+    double pixels;
+  };
 
-  [[nodiscard]] double difference(std::size_t pixel) const;
-  [[nodiscard]] static double unseenEdge(double squaredContrast, std::uint32_t samples);
+  [[nodiscard]] Statistics statistics(std::size_t pixel) const;
+  [[nodiscard]] double stratification(int x, int y, const std::vector<Statistics>& statistics) const;
+  [[nodiscard]] double hardness(int x, int y, const std::vector<Statistics>& statistics) const;
   [[nodiscard]] std::uint32_t largestHalfCount() const {
     return (1U << static_cast<unsigned>(maxSampleStep_)) / 2;
   }
   void estimateHardness();
-  [[nodiscard]] Histogram histogram() const;
+  [[nodiscard]] std::vector<Class> classes() const;
   [[nodiscard]] int plannedStep(int hardnessStep, int sampleStep, double price) const;
-  [[nodiscard]] double plannedVariance(const Histogram& histogram, double price) const;
-  [[nodiscard]] double choosePrice(const Histogram& histogram) const;
+  [[nodiscard]] double plannedVariance(const std::vector<Class>& classes, double price) const;
+  [[nodiscard]] double choosePrice(const std::vector<Class>& classes) const;
+  void appendFirstSamples(std::vector<gpu::WorkItem>& items) const;
   void appendSamples(std::vector<gpu::WorkItem>& items, std::size_t pixel, std::uint32_t halfCount) const;
 
   int width_;
   int height_;
   double goal_;
-  std::uint32_t firstHalfSamples_;
   int maxSampleStep_;
   double estimatedError_ = 1.0;
   bool hasStarted_ = false;
-  std::vector<std::array<PixelSum, 2>> halves_;
+  std::vector<Pixel> pixels_;
   std::vector<std::uint64_t> smallObjects_;
   std::vector<std::uint8_t> hardnessSteps_;  // 0 is no error at all
 };

@@ -72,8 +72,8 @@ class Render {
   void renderCenters() {
     tracer_.run(
         pixels_, {},
-        [&](std::uint64_t pixel, const glm::vec3& color) {
-          setPixel(pixel, settings_.view == View::kSamples ? glm::vec3(1.0F) : color);
+        [&](std::uint64_t pixel, const gpu::WorkResult& result) {
+          setPixel(pixel, settings_.view == View::kSamples ? glm::vec3(1.0F) : result.sum);
         },
         [&] { return shouldStop(); });
   }
@@ -90,8 +90,8 @@ class Render {
         return gpu::WorkItem{static_cast<gpu::uint>(index / items), 0, done + offset,
                              std::min(gpu::kMaxSamplesPerItem, samples - offset)};
       };
-      const auto takeResult = [&](std::uint64_t index, const glm::vec3& sum) {
-        sums[index / items].add(sum, makeItem(index).count);
+      const auto takeResult = [&](std::uint64_t index, const gpu::WorkResult& result) {
+        sums[index / items].add(result.sum, makeItem(index).count);
       };
       if (!tracer_.run(pixels_ * items, makeItem, takeResult, [&] { return shouldStop(); })) break;
       done += samples;
@@ -111,8 +111,8 @@ class Render {
         result_.stopReason = adaptive.reachedTarget() ? StopReason::kFinished : StopReason::kMaxSamples;
         break;
       }
-      const auto takeResult = [&](std::uint64_t index, const glm::vec3& sum) {
-        adaptive.add(items[index], sum);
+      const auto takeResult = [&](std::uint64_t index, const gpu::WorkResult& result) {
+        adaptive.add(items[index], result);
       };
       if (!tracer_.run(
               items.size(), [&](std::uint64_t index) { return items[index]; }, takeResult,

@@ -98,7 +98,7 @@ bool Tracer::run(std::uint64_t count, const MakeItem& makeItem, const TakeResult
       for (std::uint32_t i = 0; i < pieceCount; ++i) items[i] = makeItem(first + i);
     }
     dispatchUntilFinished(pieceCount);
-    for (std::uint32_t i = 0; i < pieceCount; ++i) takeResult(first + i, results[i].sum);
+    for (std::uint32_t i = 0; i < pieceCount; ++i) takeResult(first + i, results[i]);
     for (std::uint32_t i = 0; !centerOnly_ && i < pieceCount; ++i) counts_.samples += items[i].count;
     if (centerOnly_) counts_.samples += pieceCount;
 

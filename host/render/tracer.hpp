@@ -26,7 +26,7 @@ class Tracer {
          std::uint64_t items);
 
   using MakeItem = std::function<gpu::WorkItem(std::uint64_t index)>;
-  using TakeResult = std::function<void(std::uint64_t index, const glm::vec3& sum)>;
+  using TakeResult = std::function<void(std::uint64_t index, const gpu::WorkResult& result)>;
   using Stop = std::function<bool()>;
 
   // Does the work items makeItem(0) .. makeItem(count - 1), in this order and in pieces of about a tenth of a

@@ -90,7 +90,7 @@ TEST(Layout, IsTheSameOnHostAndDevice) {
   EXPECT_EQ(words, expected);
 
   EXPECT_EQ(shared->results[1].sum, glm::vec3(1, 2, 3));
-  EXPECT_EQ(shared->results[1].finished, 4U);
+  EXPECT_EQ(shared->results[1].squares, 4.0F);
   EXPECT_EQ(shared->statuses[1].unfinished, 5U);
   EXPECT_EQ(shared->statuses[1].stuck, 6U);
   EXPECT_EQ(shared->statuses[1].shadowRays, 7U);
