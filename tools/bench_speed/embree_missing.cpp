@@ -1,0 +1,14 @@
+// Stands for embree_peer.cpp where the program is built without Embree.
+#include "peer.hpp"
+
+namespace lavaray::bench {
+
+std::string embreeDescription() {
+  return "missing: this program was built without Embree 3 (Debian's libembree-dev)";
+}
+
+std::unique_ptr<Peer> openEmbree(const Scene&, unsigned) {
+  return nullptr;
+}
+
+}  // namespace lavaray::bench

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <span>
+
+#include "core/camera.hpp"
+#include "core/scene.hpp"
+
+namespace lavaray::bench {
+
+// Renders the scene's picture with Embree, single rays: camera rays, a shadow ray to each light, and the
+// illumination that lavaray computes. `embree` holds the shapes relative to the camera. `rgb` is row by row.
+void renderWithEmbree(RTCScene embree, const Scene& scene, const ImageSize& size, unsigned threads,
+                      std::span<float> rgb);
+
+}  // namespace lavaray::bench

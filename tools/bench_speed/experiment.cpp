@@ -1,0 +1,155 @@
+#include "experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/flatten.hpp"
+#include "core/primitives.hpp"
+#include "device_tracer.hpp"
+#include "peer.hpp"
+#include "render/tracer.hpp"
+
+namespace lavaray::bench {
+namespace {
+
+Batch cameraRays(const Camera& camera, const ImageSize& size) {
+  Batch batch{"camera", false, {}};
+  const glm::vec2 half = 0.5F * glm::vec2(size.width, size.height);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const glm::vec2 position = glm::vec2(x, y) + 0.5F;
+      const glm::vec3 direction(position.x - half.x, half.y - position.y,
+                                -static_cast<float>(camera.focalLength));
+      batch.rays.push_back({glm::vec3(0.0F), INFINITY, direction, 0xFFFFFFFFU});
+    }
+  }
+  return batch;
+}
+
+// Distances may differ by what two ways to compute them round differently, for the most grazing rays.
+bool agree(float a, float b, bool anyHit) {
+  const bool hitA = std::isfinite(a);
+  const bool hitB = std::isfinite(b);
+  if (hitA != hitB) return false;
+  return anyHit || !hitA || std::abs(a - b) <= 1e-4F * std::max(a, b);
+}
+
+BatchResult measureBatch(DeviceTracer& tracer, Peer* peer, const Batch& batch, int rounds) {
+  tracer.load(batch);
+  std::vector<float> distances(batch.rays.size());
+  std::vector<Contestant> contestants{{"lavaray", [&] { tracer.trace(); }}};
+  if (peer != nullptr) {
+    for (const Peer::Variant& variant : peer->variants()) {
+      contestants.push_back({variant.name, [&, variant] { peer->trace(variant, batch, distances); }});
+    }
+  }
+  BatchResult result{batch.name, batch.rays.size(), 0, 0, {}, measure(contestants, rounds)};
+  // Not a contestant: what of lavaray's time is reading rays and writing results.
+  result.timings.push_back(
+      measure({{"(lavaray, no tracing)", [&] { tracer.readAndWrite(); }}}, rounds).front());
+
+  tracer.trace();
+  const std::span<const float> found = tracer.distances();
+  result.hits = std::count_if(found.begin(), found.end(), [](float t) { return std::isfinite(t); });
+  result.unfinished = std::count_if(found.begin(), found.end(), [](float t) { return std::isnan(t); });
+  if (peer != nullptr) {
+    peer->trace(peer->variants().front(), batch, distances);
+    std::size_t disagreements = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+      if (!agree(found[i], distances[i], batch.anyHit)) ++disagreements;
+    }
+    result.disagreements = disagreements;
+  }
+  return result;
+}
+
+std::size_t differingPixels(const std::vector<float>& a, const std::vector<float>& b) {
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < a.size(); i += 3) {
+    float largest = 0.0F;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      largest = std::max(largest, std::abs(a[i + channel] - b[i + channel]));
+    }
+    if (largest > 1.0F / 255.0F) ++differing;
+  }
+  return differing;
+}
+
+PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, const Scene& scene, Peer* peer,
+                             const Options& options) {
+  const ImageSize size = options.size;
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+  RenderSettings settings;
+  settings.size = size;
+  settings.crop = {0, 0, size.width, size.height};
+  Tracer tracer(device, gpuScene, scene.camera, settings, pixels);
+  std::vector<float> rgb(3 * pixels);
+  std::vector<float> peerRgb(3 * pixels);
+  const auto take = [&](std::uint64_t pixel, const glm::vec3& color) {
+    for (int channel = 0; channel < 3; ++channel) rgb[3 * pixel + channel] = color[channel];
+  };
+  std::vector<Contestant> contestants{
+      {"lavaray", [&] { tracer.run(pixels, {}, take, [] { return false; }); }}};
+  if (peer != nullptr) {
+    for (const Peer::Variant& variant : peer->variants()) {
+      if (variant.usesPackets) continue;
+      contestants.push_back({variant.name, [&, variant] { peer->render(variant, size, peerRgb); }});
+    }
+  }
+  // The renderer finds the size of its dispatches in its first runs.
+  for (int i = 0; i < 2; ++i) contestants.front().run();
+  PictureResult result;
+  result.timings = measure(contestants, options.rounds);
+  if (peer != nullptr) {
+    peer->render(peer->variants().front(), size, peerRgb);
+    result.differingPixels = differingPixels(rgb, peerRgb);
+  }
+  return result;
+}
+
+std::vector<Timing> measureBuilds(const Scene& scene, Peer* peer, const Options& options) {
+  const Primitives primitives = collectPrimitives(scene);
+  std::vector<Box> boxes;
+  for (const gpu::Primitive& shape : primitives.shapes) boxes.push_back(boundingBox(shape));
+  std::vector<Contestant> contestants{
+      {"lavaray hierarchy", [&] { buildBvh(boxes, options.threads); }},
+      {"lavaray all arrays", [&] { flatten(scene, options.threads); }},
+  };
+  if (peer != nullptr) contestants.push_back({"embree default commit", [&] { peer->build(); }});
+  return measure(contestants, options.rounds);
+}
+
+}  // namespace
+
+SceneResult measureScene(vulkan::Device& device, const BenchScene& scene, const Options& options,
+                         const Progress& progress) {
+  SceneResult result{scene.name, scene.what, scene.isSpheres, scene.primitives, 0, {}, {}, {}, {}};
+  const auto tell = [&](const std::string& what) { progress(scene.name + ": " + what); };
+  tell("building");
+  const GpuScene gpuScene = flatten(scene.scene, options.threads);
+  const std::unique_ptr<Peer> peer = openEmbree(scene.scene, options.threads);
+  if (peer) result.peerBytes = peer->sceneBytes();
+  {
+    DeviceTracer tracer(device, gpuScene);
+    result.bytes = tracer.sceneBytes();
+    const PictureBatches batches = tracer.follow(cameraRays(scene.scene.camera, options.size));
+    for (const Batch* batch : {&batches.camera, &batches.shadow, &batches.mirror}) {
+      tell(batch->name + " rays");
+      if (!batch->rays.empty()) {
+        result.batches.push_back(measureBatch(tracer, peer.get(), *batch, options.rounds));
+      }
+    }
+    result.picture.rays = batches.camera.rays.size() + batches.shadow.rays.size();
+  }
+  tell("the picture");
+  const std::size_t rays = result.picture.rays;
+  result.picture = measurePicture(device, gpuScene, scene.scene, peer.get(), options);
+  result.picture.rays = rays;
+  tell("building, in turns");
+  result.builds = measureBuilds(scene.scene, peer.get(), options);
+  return result;
+}
+
+}  // namespace lavaray::bench

@@ -1,0 +1,105 @@
+#include "procedural.hpp"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+namespace lavaray::bench {
+namespace {
+
+// Waves along fixed random directions, each octave half as long and half as high as the one before.
+class Bumps {
+ public:
+  Bumps() {
+    std::mt19937 random(1);
+    // The standard's distributions differ between libraries; the generator itself does not.
+    const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0 * 2.0 - 1.0; };
+    for (std::array<Wave, kWaves>& octave : octaves_) {
+      for (Wave& wave : octave) {
+        wave = {glm::normalize(glm::dvec3(uniform(), uniform(), uniform())), 3.2 * uniform()};
+      }
+    }
+  }
+
+  [[nodiscard]] double at(const glm::dvec3& point) const {
+    double sum = 0.0;
+    double frequency = 6.0;
+    double height = 0.04;
+    for (const std::array<Wave, kWaves>& octave : octaves_) {
+      for (const Wave& wave : octave) {
+        sum += height * std::sin(frequency * glm::dot(wave.direction, point) + wave.phase);
+      }
+      frequency *= 2.0;
+      height *= 0.5;
+    }
+    return sum;
+  }
+
+ private:
+  struct Wave {
+    glm::dvec3 direction;
+    double phase;
+  };
+  static constexpr int kWaves = 3;
+  std::array<std::array<Wave, kWaves>, 6> octaves_;
+};
+
+// The tangent makes the pieces of the ball about equal. 1 stays exactly 1, so that the faces meet.
+double onCube(double u) {
+  return std::abs(u) == 1.0 ? u : std::tan(std::atan(1.0) * u);
+}
+
+// The point of a cube's face at (u, v) in [-1, 1]^2, moved onto the ball.
+glm::dvec3 onUnitBall(int face, double u, double v) {
+  const double x = onCube(u);
+  const double y = onCube(v);
+  const std::array<glm::dvec3, 6> points{
+      {{x, y, 1}, {y, x, -1}, {1, x, y}, {-1, y, x}, {y, 1, x}, {x, -1, y}}};
+  return glm::normalize(points[face]);
+}
+
+}  // namespace
+
+Mesh bumpyBall(std::size_t triangles) {
+  constexpr std::size_t kTrianglesPerCell = 12;  // two on each of six faces
+  const auto side = static_cast<std::uint32_t>(
+      std::lround(std::sqrt(static_cast<double>(triangles) / static_cast<double>(kTrianglesPerCell))));
+  const Bumps bumps;
+  Mesh mesh;
+  mesh.file = "bumpy ball";
+  for (int face = 0; face < 6; ++face) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (std::uint32_t row = 0; row <= side; ++row) {
+      for (std::uint32_t column = 0; column <= side; ++column) {
+        const glm::dvec3 point = onUnitBall(face, 2.0 * column / side - 1.0, 2.0 * row / side - 1.0);
+        mesh.positions.push_back((1.0 + bumps.at(point)) * point);
+      }
+    }
+    for (std::uint32_t row = 0; row < side; ++row) {
+      for (std::uint32_t column = 0; column < side; ++column) {
+        const std::uint32_t a = first + row * (side + 1) + column;
+        const std::uint32_t c = a + side + 1;
+        mesh.triangles.push_back({{a, a + 1, c + 1}});
+        mesh.triangles.push_back({{a, c + 1, c}});
+      }
+    }
+  }
+  return mesh;
+}
+
+std::vector<Sphere> sphereCloud(std::size_t count) {
+  std::mt19937 random(2);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0 * 2.0 - 1.0; };
+  // Of a cube of edge 2 with n balls of radius r, a ray along an axis meets n pi r^2 / 4 on average: here 3.
+  const double radius = std::sqrt(12.0 / (3.14159265 * static_cast<double>(count)));
+  std::vector<Sphere> spheres;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 center(uniform(), uniform(), uniform());
+    spheres.push_back({center, radius * (0.75 + 0.25 * uniform()), static_cast<std::uint32_t>(i)});
+  }
+  return spheres;
+}
+
+}  // namespace lavaray::bench

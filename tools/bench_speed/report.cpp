@@ -1,0 +1,102 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+
+namespace lavaray::bench {
+namespace {
+
+constexpr const char* kReference = "embree robust";
+
+const Timing* find(const std::vector<Timing>& timings, const std::string& name) {
+  const auto place =
+      std::find_if(timings.begin(), timings.end(), [&](const auto& t) { return t.name == name; });
+  return place == timings.end() ? nullptr : &*place;
+}
+
+// Milliseconds of processor and clock, least and median; `perItem` adds nanoseconds of the least processor
+// time for one of `items`, and how many times the reference's that is.
+void printTimings(std::ostream& out, const std::vector<Timing>& timings, std::size_t items,
+                  const char* item) {
+  const Timing* reference = find(timings, kReference);
+  out << std::fixed << "    " << std::left << std::setw(24) << "" << std::right << std::setw(11)
+      << "cpu ms min" << std::setw(9) << "median" << std::setw(13) << "wall ms min" << std::setw(9)
+      << "median" << std::setw(8) << "cpu ns" << '/' << item;
+  if (reference != nullptr) out << "  x robust";
+  out << '\n';
+  for (const Timing& timing : timings) {
+    out << "    " << std::left << std::setw(24) << timing.name << std::right << std::setprecision(1)
+        << std::setw(11) << 1e3 * least(timing.cpu) << std::setw(9) << 1e3 * median(timing.cpu)
+        << std::setw(13) << 1e3 * least(timing.wall) << std::setw(9) << 1e3 * median(timing.wall)
+        << std::setw(8) << 1e9 * least(timing.cpu) / static_cast<double>(items)
+        << std::string(1 + std::string(item).size(), ' ');
+    if (reference != nullptr) {
+      out << std::setprecision(2) << std::setw(10) << least(timing.cpu) / least(reference->cpu);
+    }
+    out << '\n';
+  }
+}
+
+const char* unit(const SceneResult& scene) {
+  return scene.isSpheres ? "sphere" : "triangle";
+}
+
+void printBatch(std::ostream& out, const BatchResult& batch) {
+  out << "  " << batch.name << " rays: " << batch.rays << ", of which " << batch.hits << " hit";
+  if (batch.unfinished > 0) out << ", " << batch.unfinished << " NOT FINISHED";
+  if (batch.disagreements) out << "; " << *batch.disagreements << " differ from " << kReference;
+  out << '\n';
+  printTimings(out, batch.timings, batch.rays, "ray");
+}
+
+double perItem(const std::vector<Timing>& timings, const char* name, std::size_t items) {
+  const Timing* timing = find(timings, name);
+  return timing == nullptr ? 0.0 : 1e9 * least(timing->cpu) / static_cast<double>(items);
+}
+
+}  // namespace
+
+void printHead(std::ostream& out, const Results& results) {
+  out << "device   " << results.device << "\nembree   " << results.peer << "\nthreads  " << results.threads
+      << " for Embree and for building\npictures " << results.size.width << " x " << results.size.height
+      << ", " << results.rounds << " rounds after one that is not counted\n";
+  for (const std::string& reason : results.skipped) out << "skipped  " << reason << '\n';
+}
+
+void printScene(std::ostream& out, const SceneResult& scene) {
+  out << '\n' << scene.name << ": " << scene.what << ", " << scene.primitives << ' ' << unit(scene) << "s\n";
+  for (const BatchResult& batch : scene.batches) printBatch(out, batch);
+  out << "  picture: " << scene.picture.rays << " camera and shadow rays, made and shaded by the contestants";
+  if (scene.picture.differingPixels) {
+    out << "; " << *scene.picture.differingPixels << " pixels differ from " << kReference;
+  }
+  out << '\n';
+  printTimings(out, scene.picture.timings, scene.picture.rays, "ray");
+  out << "  building\n";
+  printTimings(out, scene.builds, scene.primitives, unit(scene));
+  out << std::flush;
+}
+
+void printSummary(std::ostream& out, const Results& results) {
+  out << "\ncpu ns per camera ray, cpu ns per primitive built, bytes per primitive (0: not measured)\n    "
+      << std::left << std::setw(14) << "" << std::right << std::setw(10) << "primitives" << std::setw(9)
+      << "lavaray" << std::setw(9) << "robust" << std::setw(9) << "default" << std::setw(9) << "packets"
+      << std::setw(13) << "build" << std::setw(9) << "embree" << std::setw(13) << "bytes" << std::setw(9)
+      << "embree" << '\n'
+      << std::setprecision(0);
+  for (const SceneResult& scene : results.scenes) {
+    const BatchResult& camera = scene.batches.front();
+    out << "    " << std::left << std::setw(14) << scene.name << std::right << std::setw(10)
+        << scene.primitives;
+    for (const char* name : {"lavaray", kReference, "embree default", "embree packets of 8"}) {
+      out << std::setw(9) << perItem(camera.timings, name, camera.rays);
+    }
+    out << std::setw(13) << perItem(scene.builds, "lavaray all arrays", scene.primitives) << std::setw(9)
+        << perItem(scene.builds, "embree default commit", scene.primitives) << std::setw(13)
+        << scene.bytes / scene.primitives << std::setw(9) << scene.peerBytes.value_or(0) / scene.primitives
+        << '\n';
+  }
+}
+
+}  // namespace lavaray::bench
