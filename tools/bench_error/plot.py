@@ -44,8 +44,8 @@ def tick_label(value):
     return f"{value:g}" if 1e-3 <= value < 1e5 else f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
 
 
-def svg(title, x_label, panels):
-    """`panels`: (name, {method: [(x, rmse)]}, x of a dashed line or None)."""
+def svg(title, x_label, panels, styles=STYLES, y_label="RMSE"):
+    """`panels`: (name, {method: [(x, y)]}, x of a dashed line or None); each method has a style."""
     rows = math.ceil(len(panels) / COLUMNS)
     width, height = COLUMNS * PANEL_WIDTH, HEAD + rows * PANEL_HEIGHT
     parts = [
@@ -53,18 +53,18 @@ def svg(title, x_label, panels):
         ' font-family="Helvetica, Arial, sans-serif" font-size="11" fill="#333">',
         f'<rect width="{width}" height="{height}" fill="white"/>',
         f'<text x="12" y="22" font-size="15" font-weight="bold">{escape(title)}</text>',
-        *legend(panels),
+        *legend(panels, styles),
     ]
     for index, (name, curves, line) in enumerate(panels):
         x, y = index % COLUMNS * PANEL_WIDTH, HEAD + index // COLUMNS * PANEL_HEIGHT
-        parts += [f'<g transform="translate({x} {y})">', *panel(name, x_label, curves, line), "</g>"]
+        parts += [f'<g transform="translate({x} {y})">', *panel(name, (x_label, y_label), curves, line, styles), "</g>"]
     return "\n".join([*parts, "</svg>"]) + "\n"
 
 
-def legend(panels):
+def legend(panels, styles):
     parts = []
     x = 24
-    for method, (color, shape, label) in STYLES.items():
+    for method, (color, shape, label) in styles.items():
         if any(curves.get(method) for _, curves, _ in panels):
             parts.append(f'<path d="M{x - 12} 40H{x + 12}" stroke="{color}" stroke-width="1.6"/>')
             parts += [marker(shape, x, 40, color), f'<text x="{x + 17}" y="44">{label}</text>']
@@ -75,7 +75,7 @@ def legend(panels):
     return parts
 
 
-def panel(name, x_label, curves, line):
+def panel(name, labels, curves, line, styles):
     points = [point for curve in curves.values() for point in curve]
     left, right, top, bottom = LEFT, PANEL_WIDTH - RIGHT, TOP, PANEL_HEIGHT - BOTTOM
     parts = [f'<text x="{left}" y="{top - 8}" font-weight="bold">{escape(name)}</text>']
@@ -94,12 +94,12 @@ def panel(name, x_label, curves, line):
     parts.append(f'<rect x="{left}" y="{top}" width="{right - left}" height="{bottom - top}" fill="none" '
                  'stroke="#888"/>')
     middle, center = (left + right) / 2, (top + bottom) / 2
-    parts.append(f'<text x="{middle}" y="{bottom + 29}" text-anchor="middle">{escape(x_label)}</text>')
-    parts.append(f'<text transform="translate(12 {center}) rotate(-90)" text-anchor="middle">RMSE</text>')
+    parts.append(f'<text x="{middle}" y="{bottom + 29}" text-anchor="middle">{escape(labels[0])}</text>')
+    parts.append(f'<text transform="translate(12 {center}) rotate(-90)" text-anchor="middle">{escape(labels[1])}</text>')
     if line:
         parts.append(f'<path d="M{x_axis.at(line):.1f} {top}V{bottom}" stroke="#999" stroke-dasharray="4 3"/>')
     for method, curve in curves.items():
-        color, shape, _ = STYLES[method]
+        color, shape, _ = styles[method]
         places = [(x_axis.at(x), y_axis.at(y)) for x, y in curve]
         if places:
             path = " ".join(f"{x:.1f},{y:.1f}" for x, y in places)
@@ -113,6 +113,8 @@ def marker(shape, x, y, color):
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.2" fill="{color}"/>'
     if shape == "square":
         return f'<rect x="{x - 2.9:.1f}" y="{y - 2.9:.1f}" width="5.8" height="5.8" fill="{color}"/>'
+    if shape == "diamond":
+        return f'<path d="M{x:.1f} {y - 4:.1f}l4 4l-4 4l-4 -4z" fill="{color}"/>'
     return f'<path d="M{x:.1f} {y - 4.2:.1f}l3.9 6.8h-7.8z" fill="{color}"/>'
 
 

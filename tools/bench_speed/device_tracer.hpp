@@ -15,7 +15,8 @@ namespace lavaray::bench {
 // Rays of one kind, that are traced together.
 struct Batch {
   std::string name;
-  bool anyHit = false;  // any hit will do, as for a shadow ray; else the first is sought
+  bool anyHit = false;      // any hit will do, as for a shadow ray; else the first is sought
+  bool isCoherent = false;  // neighbours go about the same way
   std::vector<gpu::BatchRay> rays;
 };
 

@@ -9,16 +9,20 @@
 namespace lavaray::bench {
 namespace {
 
+// In [-1, 1). The standard's distributions differ between libraries; the generator itself does not.
+double uniform(std::mt19937& random) {
+  return static_cast<double>(random()) / 2147483648.0 - 1.0;
+}
+
 // Waves along fixed random directions, each octave half as long and half as high as the one before.
 class Bumps {
  public:
   Bumps() {
     std::mt19937 random(1);
-    // The standard's distributions differ between libraries; the generator itself does not.
-    const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0 * 2.0 - 1.0; };
     for (std::array<Wave, kWaves>& octave : octaves_) {
       for (Wave& wave : octave) {
-        wave = {glm::normalize(glm::dvec3(uniform(), uniform(), uniform())), 3.2 * uniform()};
+        const glm::dvec3 direction(uniform(random), uniform(random), uniform(random));
+        wave = {glm::normalize(direction), 3.2 * uniform(random)};
       }
     }
   }
@@ -91,13 +95,19 @@ Mesh bumpyBall(std::size_t triangles) {
 
 std::vector<Sphere> sphereCloud(std::size_t count) {
   std::mt19937 random(2);
-  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0 * 2.0 - 1.0; };
-  // Of a cube of edge 2 with n balls of radius r, a ray along an axis meets n pi r^2 / 4 on average: here 3.
-  const double radius = std::sqrt(12.0 / (3.14159265 * static_cast<double>(count)));
+  const auto side = static_cast<int>(std::lround(std::cbrt(static_cast<double>(count))));
+  const double cell = 2.0 / side;
   std::vector<Sphere> spheres;
-  for (std::size_t i = 0; i < count; ++i) {
-    const glm::dvec3 center(uniform(), uniform(), uniform());
-    spheres.push_back({center, radius * (0.75 + 0.25 * uniform()), static_cast<std::uint32_t>(i)});
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < side; ++y) {
+      for (int z = 0; z < side; ++z) {
+        const double radius = cell * (0.25 + 0.1 * uniform(random));
+        const double room = 0.5 * cell - radius;
+        const glm::dvec3 offset(uniform(random), uniform(random), uniform(random));
+        const glm::dvec3 center = -1.0 + cell * (0.5 + glm::dvec3(x, y, z)) + room * offset;
+        spheres.push_back({center, radius, static_cast<std::uint32_t>(spheres.size())});
+      }
+    }
   }
   return spheres;
 }

@@ -11,8 +11,8 @@ namespace lavaray::bench {
 // up, with bumps of many sizes, so that it shadows and mirrors itself however fine it is.
 Mesh bumpyBall(std::size_t triangles);
 
-// Spheres at random places in a cube about the origin, that cover about the same part of the view whatever
-// their number.
+// About so many spheres in a cube about the origin, one in each cell of a grid, at a random place in it. None
+// overlap: then all contestants agree on what is seen, lavaray, which sees no sphere from inside, included.
 std::vector<Sphere> sphereCloud(std::size_t count);
 
 }  // namespace lavaray::bench

@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
@@ -50,9 +51,11 @@ void printBatch(std::ostream& out, const BatchResult& batch) {
   printTimings(out, batch.timings, batch.rays, "ray");
 }
 
-double perItem(const std::vector<Timing>& timings, const char* name, std::size_t items) {
+// Least processor nanoseconds of an item; - where it was not measured.
+std::string perItem(const std::vector<Timing>& timings, const char* name, std::size_t items) {
   const Timing* timing = find(timings, name);
-  return timing == nullptr ? 0.0 : 1e9 * least(timing->cpu) / static_cast<double>(items);
+  if (timing == nullptr) return "-";
+  return std::to_string(std::llround(1e9 * least(timing->cpu) / static_cast<double>(items)));
 }
 
 }  // namespace
@@ -60,7 +63,9 @@ double perItem(const std::vector<Timing>& timings, const char* name, std::size_t
 void printHead(std::ostream& out, const Results& results) {
   out << "device   " << results.device << "\nembree   " << results.peer << "\nthreads  " << results.threads
       << " for Embree and for building\npictures " << results.size.width << " x " << results.size.height
-      << ", " << results.rounds << " rounds after one that is not counted\n";
+      << ", " << results.rounds << " rounds after one that is not counted\n"
+      << "rays     the same arrays for all; lavaray's renderer code in a shader that reads them as texels\n"
+      << "picture  the renderer's own shader and dispatches; Embree with single rays and the same shading\n";
   for (const std::string& reason : results.skipped) out << "skipped  " << reason << '\n';
 }
 
@@ -79,12 +84,10 @@ void printScene(std::ostream& out, const SceneResult& scene) {
 }
 
 void printSummary(std::ostream& out, const Results& results) {
-  out << "\ncpu ns per camera ray, cpu ns per primitive built, bytes per primitive (0: not measured)\n    "
-      << std::left << std::setw(14) << "" << std::right << std::setw(10) << "primitives" << std::setw(9)
-      << "lavaray" << std::setw(9) << "robust" << std::setw(9) << "default" << std::setw(9) << "packets"
-      << std::setw(13) << "build" << std::setw(9) << "embree" << std::setw(13) << "bytes" << std::setw(9)
-      << "embree" << '\n'
-      << std::setprecision(0);
+  out << "\ncpu ns per camera ray, cpu ns per primitive built, bytes per primitive\n    " << std::left
+      << std::setw(14) << "" << std::right << std::setw(10) << "primitives" << std::setw(9) << "lavaray"
+      << std::setw(9) << "robust" << std::setw(9) << "default" << std::setw(9) << "packets" << std::setw(13)
+      << "build" << std::setw(9) << "embree" << std::setw(13) << "bytes" << std::setw(9) << "embree" << '\n';
   for (const SceneResult& scene : results.scenes) {
     const BatchResult& camera = scene.batches.front();
     out << "    " << std::left << std::setw(14) << scene.name << std::right << std::setw(10)
@@ -94,8 +97,8 @@ void printSummary(std::ostream& out, const Results& results) {
     }
     out << std::setw(13) << perItem(scene.builds, "lavaray all arrays", scene.primitives) << std::setw(9)
         << perItem(scene.builds, "embree default commit", scene.primitives) << std::setw(13)
-        << scene.bytes / scene.primitives << std::setw(9) << scene.peerBytes.value_or(0) / scene.primitives
-        << '\n';
+        << scene.bytes / scene.primitives << std::setw(9)
+        << (scene.peerBytes ? std::to_string(*scene.peerBytes / scene.primitives) : "-") << '\n';
   }
 }
 

@@ -119,7 +119,7 @@ std::optional<BenchScene> makeScene(const std::string& name, const std::filesyst
   Scene& scene = result.scene;
   if (recipe->source == Source::kSphereCloud) {
     result.isSpheres = true;
-    result.what = "random spheres";
+    result.what = "spheres in a grid, shaken";
     scene.spheres = sphereCloud(recipe->count);
     result.primitives = scene.spheres.size();
   } else {

@@ -1,0 +1,116 @@
+"""The program: builds what it measures, runs bench-speed and the comparison of whole programs."""
+
+import argparse
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from bench_speed import plot, processes
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build"
+
+DESCRIPTION = """\
+Measures lavaray's speed: rays, pictures and builds against Embree 3 in one process (the program bench-speed, which
+this builds), and whole programs, from scene file to image file, against POV-Ray 3.7. Both are optional: what is
+missing is named. Prints tables and saves them with all times (JSON) and a plot of time against size (SVG).
+"""
+
+EPILOG = """\
+All other options go to the program bench-speed; {}
+"""
+
+
+def positive(text):
+    if not text.isdigit() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number above 0")
+    return int(text)
+
+
+def parse_options(arguments):
+    parser = argparse.ArgumentParser(prog="bench-speed", description=DESCRIPTION, add_help=False, allow_abbrev=False,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    add = parser.add_argument
+    add("-h", "--help", action="store_true", help="print this and the options of the program bench-speed")
+    add("--only", choices=("rays", "processes"), help="one half: the program bench-speed, or whole programs")
+    add("--out", type=Path, default=BUILD / "bench-speed", metavar="FOLDER",
+        help="for results (default: build/bench-speed of this checkout)")
+    add("--quick", action="store_true", help="a first look: few scenes, 3 rounds")
+    add("--rounds", type=positive, metavar="N", help="how often each contestant runs, in turns (default: 7)")
+    add("--device", metavar="NAME", help="Vulkan device (default: the best one)")
+    options, further = parser.parse_known_args(arguments)
+    if options.rounds is None:
+        options.rounds = 3 if options.quick else 7
+    options.further = further
+    if options.help:
+        parser.epilog = EPILOG.format(program_help())
+        parser.print_help()
+    return options
+
+
+def program(name):
+    return BUILD / ("tools/bench_speed" if name == "bench-speed" else "host") / name
+
+
+def program_help():
+    if not program("bench-speed").exists():
+        return "its --help can be shown once this has built it."
+    command = [program("bench-speed"), "--help"]
+    return "its --help:\n\n" + subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def build(targets):
+    """What the build prints goes to stderr: stdout is for results."""
+    configure = ["cmake", "--preset", "release", "-DLAVARAY_BENCHMARKS=ON"]
+    if not (BUILD / "CMakeCache.txt").exists():
+        configure.append("-DBUILD_TESTING=OFF")  # as tools/render does
+    make = ["cmake", "--build", "--preset", "release", "--target", *targets]
+    for command in ([ROOT / "tools/setup", "build"], configure, make):
+        subprocess.run(command, cwd=ROOT, stdout=sys.stderr, check=True)
+
+
+def measure_rays(options):
+    file = options.out / "rays.json"
+    command = [program("bench-speed"), "--json", file, "--rounds", str(options.rounds), *options.further]
+    command += ["--quick"] if options.quick else []
+    command += ["--device", options.device] if options.device else []
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as child:
+        with open(options.out / "rays.txt", "w") as copy:
+            for line in child.stdout:
+                print(line, end="", flush=True)
+                copy.write(line)
+    if child.returncode != 0:
+        raise processes.ProgramError(f"bench-speed failed with exit code {child.returncode}")
+    (options.out / "rays.svg").write_text(plot.svg(json.loads(file.read_text())))
+    print(f"\nsaved in {options.out}: rays.txt, rays.json, rays.svg")
+
+
+def measure_processes(options):
+    results = processes.measure(program("lavaray"), program("lavaray-diff"), ROOT.parent / "shared", options.out,
+                                options.rounds, ["--device", options.device] if options.device else [])
+    text = processes.report(results)
+    print("\n" + text)
+    (options.out / "processes.txt").write_text(text)
+    (options.out / "processes.json").write_text(json.dumps(results, indent=1) + "\n")
+    print(f"saved in {options.out}: processes.txt, processes.json")
+
+
+def main(arguments=None):
+    try:
+        options = parse_options(arguments)
+        if options.help:
+            return 0
+        options.out.mkdir(parents=True, exist_ok=True)
+        build(["bench-speed", "lavaray", "lavaray-diff"])
+        if options.only != "processes":
+            measure_rays(options)
+        if options.only != "rays":
+            measure_processes(options)
+    except (processes.ProgramError, subprocess.CalledProcessError, OSError) as error:
+        print(f"bench-speed: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("\nbench-speed: interrupted", file=sys.stderr)
+        return 130
+    return 0
