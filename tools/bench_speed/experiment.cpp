@@ -87,8 +87,8 @@ PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, c
   Tracer tracer(device, gpuScene, scene.camera, settings, pixels);
   std::vector<float> rgb(3 * pixels);
   std::vector<float> peerRgb(3 * pixels);
-  const auto take = [&](std::uint64_t pixel, const glm::vec3& color) {
-    for (int channel = 0; channel < 3; ++channel) rgb[3 * pixel + channel] = color[channel];
+  const auto take = [&](std::uint64_t pixel, const gpu::WorkResult& result) {
+    for (int channel = 0; channel < 3; ++channel) rgb[3 * pixel + channel] = result.sum[channel];
   };
   std::vector<Contestant> contestants{
       {"lavaray", [&] { tracer.run(pixels, {}, take, [] { return false; }); }}};
