@@ -13,6 +13,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "closed_forms.hpp"
+
 namespace lavaray {
 namespace {
 
@@ -104,17 +106,6 @@ TEST(OracleSampling, AreaOfASpheresImage) {
     EXPECT_NEAR(area.x / expected, 1.0, 1e-3);
     EXPECT_DOUBLE_EQ(area.z, area.x);  // each sample is clamped, not their mean
   }
-}
-
-// A half-plane that ends in a straight edge covers of the light's cone what lies beyond the plane through the
-// point and the edge. Of a cone of half angle a, whose solid angle is 2 pi (1 - cos a) and whose axis is at
-// the angle b to that plane, it is 2 (acos(sin b / sin a) - cos a acos(tan b / tan a)).
-// Mazonka, "Solid Angle of Conical Surfaces, Polyhedral Cones, and Intersecting Spherical Caps", 2012.
-double capBeyond(double a, double b) {
-  if (b >= a) return 0.0;
-  if (b <= -a) return 1.0;
-  return (std::acos(std::sin(b) / std::sin(a)) - std::cos(a) * std::acos(std::tan(b) / std::tan(a))) /
-         (kPi * (1.0 - std::cos(a)));
 }
 
 TEST(OracleSampling, PenumbraOfAHalfPlane) {
