@@ -25,29 +25,6 @@ TEST(Sampling, IsTheSameTwiceAndInParts) {
   }
 }
 
-// Between two facing mirrors each bounce adds the same light, k times weaker.
-TEST(Sampling, FacingMirrorsGiveAGeometricSeries) {
-  constexpr double kReflectance = 0.9;
-  Scene scene;
-  scene.camera = {{0, 0, 0}, 60.0, 20.0, 1.0};
-  scene.materials.resize(2);
-  for (Material& material : scene.materials) {
-    material.ambient = glm::dvec3(0.01);
-    material.reflectance = glm::dvec3(kReflectance);
-  }
-  scene.planes = {{{0, 0, 1}, {0, 0, -1}, 0}, {{0, 0, 1}, {0, 0, 1}, 1}};
-  double before = 0.0;
-  for (const std::uint32_t depth : {0U, 1U, 2U, 8U, 32U}) {
-    RenderSettings settings = settingsFor({21, 21}, 1);
-    settings.maxDepth = depth;
-    const Image image = renderScene(scene, settings).image;
-    const double expected = 0.01 * (1.0 - std::pow(kReflectance, depth + 1)) / (1.0 - kReflectance);
-    for (const float value : image.rgb) ASSERT_NEAR(value, expected, 1e-6) << depth;
-    EXPECT_GE(expected, before);
-    before = expected;
-  }
-}
-
 TEST(Sampling, SeedsGiveOtherSamplesOfTheSamePicture) {
   const Scene scene = readNamed("extensions");
   RenderSettings settings = settingsFor(reducedSize(scene.camera, 80), 256);
