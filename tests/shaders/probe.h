@@ -37,6 +37,21 @@ struct TraceConstants {
   uint mode;
 };
 
+// Where samples of a light lie.
+struct ProbeLightSample {
+  vec3 toLight;
+  uint padding0;
+  vec3 target;
+  uint padding1;
+};
+
+// Push constants of the light probe: the first `count` samples of the light, as seen from the position.
+struct LightConstants {
+  Light light;
+  vec3 position;
+  uint count;
+};
+
 #ifdef __cplusplus
 }  // namespace lavaray::gpu
 #endif
