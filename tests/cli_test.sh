@@ -137,6 +137,24 @@ expect 10 '' "$diff" mirrored.pfm unmirrored.pfm
 expect 0 '' "$lavaray" "$scene" $small --spp 16 --light-radius 1 -o soft.pfm
 expect 10 '' "$diff" soft.pfm four.pfm
 
+# The same bits with any number of threads and any vector width of a driver that runs on the CPU; without its
+# cache, so that each width compiles the shader.
+soft=$scenes/extensions.txt
+for mode in '--spp 1' '--spp 21 --filter tent' '--spp 7 --sampler random' '--target-error 0.005'; do
+  expect 0 '' "$lavaray" "$soft" $small $mode -o any-threads.pfm
+  for threads in 0 1 2 5; do
+    expect 0 '' env LP_NUM_THREADS=$threads "$lavaray" "$soft" $small $mode -o threads.pfm
+    holds "$mode: the same bits with $threads threads" cmp any-threads.pfm threads.pfm
+  done
+done
+widths='128 256'
+if grep -q avx512f /proc/cpuinfo; then widths="$widths 512"; fi
+for width in $widths; do
+  expect 0 '' env LP_NATIVE_VECTOR_WIDTH=$width MESA_SHADER_CACHE_DISABLE=true \
+    "$lavaray" "$soft" $small --target-error 0.005 -o width.pfm
+  holds "the same bits with vectors of $width bits" cmp any-threads.pfm width.pfm
+done
+
 # lavaray-diff
 expect 0 '' "$diff" picture.png picture.png
 holds 'equal images have no error' grep -qE '^RMSE +0$' stdout

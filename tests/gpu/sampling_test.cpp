@@ -12,19 +12,6 @@
 namespace lavaray {
 namespace {
 
-TEST(Sampling, IsTheSameTwiceAndInParts) {
-  const Scene scene = readNamed("extensions");
-  const ImageSize size = reducedSize(scene.camera, 120);
-  for (const std::uint32_t samples : {2U, 5U, 70U}) {
-    RenderSettings settings = settingsFor(size, samples);
-    settings.filter = PixelFilter::kGaussian;
-    const Image whole = renderScene(scene, settings).image;
-    EXPECT_TRUE(sameBits(whole, renderScene(scene, settings).image)) << samples;
-    settings.crop = {31, 17, 64, 50};
-    EXPECT_TRUE(sameBits(crop(whole, settings.crop), renderScene(scene, settings).image)) << samples;
-  }
-}
-
 TEST(Sampling, SeedsGiveOtherSamplesOfTheSamePicture) {
   const Scene scene = readNamed("extensions");
   RenderSettings settings = settingsFor(reducedSize(scene.camera, 80), 256);
