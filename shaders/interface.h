@@ -9,9 +9,12 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace lavaray::gpu {
 using glm::vec2;
+using glm::uvec3;
+using glm::uvec4;
 using glm::vec3;
 using uint = std::uint32_t;
 #define LAVARAY_SIZE(Struct, bytes) static_assert(sizeof(Struct) == (bytes) && (bytes) % 16 == 0)
@@ -22,14 +25,16 @@ using uint = std::uint32_t;
 // Invocations of one work group; each does a work item.
 const uint kWorkGroupSize = 64u;
 
-// A path from the root to a leaf passes at most this many inner nodes. The builder obeys it, flattening
-// checks it, and the traversal's stack has this size.
-const uint kMaxBvhDepth = 48u;
+// A path from the root to a leaf passes at most this many inner nodes. The builder obeys it, and the traversal's
+// stack needs no more entries. Drivers unroll loops of that many turns, which the stack depends on.
+const uint kMaxBvhDepth = 32u;
 const uint kMaxLeafSize = 8u;
 
 // A node reference: an inner node's index, or the leaf's primitives as count << kLeafShift | first.
 const uint kLeafShift = 28u;
 const uint kMaxReference = (1u << kLeafShift) - 1u;
+// The traversal's stack holds a node's index beside 8 other bits.
+const uint kMaxNode = (1u << 24u) - 1u;
 
 // llvmpipe ends every loop of an invocation, silently, once the loops of its subgroup have taken 65,535 turns
 // in all. A traversal gives up before that is certain, and an invocation traces at most so many shadow rays;
@@ -75,7 +80,8 @@ const uint kSpecHasSphericalLights = 6u;
 const uint kSpecSampling = 7u;
 const uint kSpecResumable = 8u;
 const uint kSpecCountRays = 9u;
-const uint kSpecCount = 10u;
+const uint kSpecStackSize = 10u;
+const uint kSpecCount = 11u;
 
 // A WorkResult's squares where there is none yet.
 const float kUnfinished = -1.0f;
@@ -91,19 +97,23 @@ const uint kSamplingCenter = 0u;  // one sample in the pixel's centre
 const uint kSamplingSobol = 1u;   // an Owen-scrambled Sobol sequence
 const uint kSamplingRandom = 2u;  // independent random numbers
 
-// An inner node of the BVH with the boxes of its two children.
+// An inner node of the BVH with the boxes of up to four children. On each axis the side s of a box lies at origin +
+// s 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in it. A child that
+// is not there has lower sides above its upper ones.
+// Based on: Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
+// 2017, four wide and with children that lie anywhere.
 struct BvhNode {
-  vec3 lower0;
-  uint child0;  // a node reference
-  vec3 upper0;
-  uint child1;
-  vec3 lower1;
+  vec3 origin;
+  uint exponents;  // a byte an axis, that of x the lowest
+  uvec3 lower;     // for each axis: a byte a child, that of child 0 the lowest
   uint padding0;
-  vec3 upper1;
+  uvec3 upper;
   uint padding1;
+  uvec4 children;  // node references
 };
 LAVARAY_SIZE(BvhNode, 64);
 const uint kTexelsPerNode = 4u;
+const uint kNodeWidth = 4u;
 
 const uint kNoCornerNormals = 0xFFFFFFFFu;
 const uint kSphere = 0xFFFFFFFEu;
@@ -218,12 +228,12 @@ struct DispatchConstants {
   uint cropWidth;
   uint itemCount;
   uint pass;           // kPassAll, ...
-  uint rootReference;  // the BVH's root
   uint seed;
   uint maxDepth;       // mirror bounces
   uint filterSize;     // entries of the filter's table; 0 is the box
   uint firstPixel;     // of the items, where they are consecutive pixels (kSamplingCenter)
   uint padding0;
+  uint padding1;
 };
 LAVARAY_SIZE(DispatchConstants, 64);
 

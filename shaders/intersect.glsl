@@ -40,25 +40,24 @@ RayConstants rayConstants(Ray ray) {
   return constants;
 }
 
-// Distance at which the ray enters the box, or infinity if it misses it or enters it behind tMax.
+// Distances at which the ray enters four boxes, or infinity where it misses one or enters it behind tMax.
+// `near` and `far` are the boxes' sides that it meets first and last on each axis, by the sign of its direction.
 //
 // Choosing the near and the far side by the sign of the direction, instead of by minimum and maximum, makes
 // 0 * infinity (a ray inside a side's plane) a NaN that no comparison takes up: the axis sets no bound.
 // The far distance is widened by two units in the last place, which covers the rounding of all three axes:
 // Ize, "Robust BVH Ray Traversal", 2013.
-float intersectBox(Ray ray, RayConstants constants, vec3 lower, vec3 upper, float tMax) {
-  precise const vec3 tNear = (mix(lower, upper, constants.negative) - ray.origin) * constants.inverse;
-  precise const vec3 tFar = (mix(upper, lower, constants.negative) - ray.origin) * constants.inverse;
-  float entry = 0.0;
-  entry = tNear.x > entry ? tNear.x : entry;
-  entry = tNear.y > entry ? tNear.y : entry;
-  entry = tNear.z > entry ? tNear.z : entry;
-  float exit = tMax;
-  exit = tFar.x < exit ? tFar.x : exit;
-  exit = tFar.y < exit ? tFar.y : exit;
-  exit = tFar.z < exit ? tFar.z : exit;
-  precise const float paddedExit = exit * 1.00000024;
-  return entry <= paddedExit ? entry : kInfinity;
+vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], float tMax) {
+  vec4 entry = vec4(0.0);
+  vec4 exit = vec4(tMax);
+  for (int axis = 0; axis < 3; ++axis) {
+    precise const vec4 tNear = (near[axis] - ray.origin[axis]) * constants.inverse[axis];
+    precise const vec4 tFar = (far[axis] - ray.origin[axis]) * constants.inverse[axis];
+    entry = mix(entry, tNear, greaterThan(tNear, entry));
+    exit = mix(exit, tFar, lessThan(tFar, exit));
+  }
+  precise const vec4 paddedExit = exit * 1.00000024;
+  return mix(vec4(kInfinity), entry, lessThanEqual(entry, paddedExit));
 }
 
 // Distance to the triangle, or infinity; `weights` are the barycentric coordinates of a, b, c.

@@ -21,7 +21,6 @@ struct RayCounts {
 };
 
 struct PathSettings {
-  uint root;      // the BVH's
   uint maxDepth;  // mirror bounces
   uint index;     // of the sample, and
   uint seed;      // its sequence
@@ -51,7 +50,7 @@ bool lightTerm(Light light, SurfacePoint point, uint surface, Material material,
   do {
     const LightSample s = sampleLight(light, point.position, settings.index * directions + i, seed);
     bool blocked;
-    finished = findShadow(point, surface, s.target, settings.root, blocked);
+    finished = findShadow(point, surface, s.target, blocked);
     ++counts.shadow;
     if (!blocked) term += phong(material, light, point.shadingNormal, s.toLight, toViewer);
     ++i;
@@ -97,7 +96,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
                    inout RayCounts counts, out bool ended) {
   ended = true;
   Hit hit = missUpTo(kInfinity);
-  if (!findHit(false, segment.ray, segment.skipped, settings.root, hit)) return false;
+  if (!findHit(false, segment.ray, segment.skipped, hit)) return false;
   if (hit.surface == kNoSurface) return true;
   const SurfacePoint point = surfacePoint(segment.ray, hit);
   const Material material = materials[hit.object];

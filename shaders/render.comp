@@ -37,7 +37,7 @@ vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g),
 // Takes the sample that the state is at. Returns false where it could not be finished.
 bool takeSample(uvec2 pixel, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
   PathState path = PathState(state.color, state.bounce, state.step);
-  const PathSettings settings = PathSettings(constants.rootReference, constants.maxDepth, index, seed);
+  const PathSettings settings = PathSettings(constants.maxDepth, index, seed);
   const bool finished = tracePath(sampleRay(pixel, index, seed), settings, path, counts);
   if (finished) {
     const vec3 color = displayed(path.color);

@@ -15,6 +15,7 @@ layout(constant_id = kSpecPlaneCount) const uint kPlaneCount = 0u;
 layout(constant_id = kSpecLightCount) const uint kLightCount = 0u;
 layout(constant_id = kSpecHasMirrors) const bool kHasMirrors = false;
 layout(constant_id = kSpecHasSphericalLights) const bool kHasSphericalLights = false;
+layout(constant_id = kSpecStackSize) const uint kStackSize = kMaxBvhDepth;
 
 layout(set = 0, binding = kBindingNodes) uniform utextureBuffer nodeTexels;
 layout(set = 0, binding = kBindingPrimitives) uniform utextureBuffer primitiveTexels;
@@ -24,14 +25,17 @@ layout(std430, set = 0, binding = kBindingPlanes) readonly buffer Planes { Plane
 layout(std430, set = 0, binding = kBindingLights) readonly buffer Lights { Light lights[]; };
 layout(std430, set = 0, binding = kBindingMaterials) readonly buffer Materials { Material materials[]; };
 
+uvec4 fetchNodeTexel(uint index, uint texel) {
+  return texelFetch(nodeTexels, int(index * kTexelsPerNode + texel));
+}
+
+uvec4 fetchChildren(uint index) { return fetchNodeTexel(index, 3u); }
+
 BvhNode fetchNode(uint index) {
-  const int texel = int(index * kTexelsPerNode);
-  const uvec4 t0 = texelFetch(nodeTexels, texel);
-  const uvec4 t1 = texelFetch(nodeTexels, texel + 1);
-  const uvec4 t2 = texelFetch(nodeTexels, texel + 2);
-  const uvec4 t3 = texelFetch(nodeTexels, texel + 3);
-  return BvhNode(uintBitsToFloat(t0.xyz), t0.w, uintBitsToFloat(t1.xyz), t1.w,  //
-                 uintBitsToFloat(t2.xyz), t2.w, uintBitsToFloat(t3.xyz), t3.w);
+  const uvec4 t0 = fetchNodeTexel(index, 0u);
+  const uvec4 t1 = fetchNodeTexel(index, 1u);
+  const uvec4 t2 = fetchNodeTexel(index, 2u);
+  return BvhNode(uintBitsToFloat(t0.xyz), t0.w, t1.xyz, t1.w, t2.xyz, t2.w, fetchChildren(index));
 }
 
 Primitive fetchPrimitive(uint index) {

@@ -8,6 +8,7 @@
 // A surface is a primitive's index or a plane's with kPlaneBit.
 const uint kPlaneBit = 0x80000000u;
 const uint kNoSurface = 0xFFFFFFFFu;
+const uint kNoReference = 0xFFFFFFFFu;  // of a node or a leaf
 
 struct Hit {
   float t;       // in lengths of the ray's direction
@@ -35,53 +36,126 @@ void hitPrimitive(Ray ray, RayConstants constants, uint index, inout Hit hit) {
   }
 }
 
+// Four sides, a byte each, of boxes in a node's frame.
+vec4 decodeSides(uint sides, float origin, float unit) {
+  precise const vec4 decoded = vec4((uvec4(sides) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
+  return decoded;
+}
+
+// Where the ray enters the boxes of the node's children, as intersectBoxes.
+vec4 enterChildren(Ray ray, RayConstants constants, uint index, float tMax) {
+  const BvhNode node = fetchNode(index);
+  const uvec3 nearSides = mix(node.lower, node.upper, constants.negative);
+  const uvec3 farSides = mix(node.upper, node.lower, constants.negative);
+  vec4 near[3];
+  vec4 far[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const float unit = uintBitsToFloat(((node.exponents >> (8 * axis)) & 255u) << 23);
+    near[axis] = decodeSides(nearSides[axis], node.origin[axis], unit);
+    far[axis] = decodeSides(farSides[axis], node.origin[axis], unit);
+  }
+  return intersectBoxes(ray, constants, near, far, tMax);
+}
+
+// Children of a node that are still to be visited: `count` slots, two bits each, the nearest one lowest.
+struct NodeGroup {
+  uint node;
+  uint slots;
+  uint count;
+};
+
+// The children that are entered at these distances. A distance is at least 0, so its bits compare as it does; its
+// lowest two make room for the slot.
+NodeGroup sortedGroup(uint node, vec4 entry) {
+  const bvec4 hits = lessThan(entry, vec4(kInfinity));
+  uvec4 keys = (floatBitsToUint(entry) & ~3u) | uvec4(0u, 1u, 2u, 3u);
+  keys = uvec4(min(keys.x, keys.y), max(keys.x, keys.y), min(keys.z, keys.w), max(keys.z, keys.w));
+  keys = uvec4(min(keys.x, keys.z), min(keys.y, keys.w), max(keys.x, keys.z), max(keys.y, keys.w));
+  keys = uvec4(keys.x, min(keys.y, keys.z), max(keys.y, keys.z), keys.w) & 3u;
+  const uint slots = keys.x | keys.y << 2u | keys.z << 4u | keys.w << 6u;
+  return NodeGroup(node, slots, uint(hits.x) + uint(hits.y) + uint(hits.z) + uint(hits.w));
+}
+
+// Groups that wait, the last one in entry 0, packed: node << 8 | slots << 2 | count, 0 where there is none.
+// Entries are moved along instead of being counted, since constant indices keep them in registers: on lavapipe a
+// write to a computed index is a branch for each lane, and took two thirds of the time.
+struct GroupStack {
+  uint entries[kStackSize];
+};
+
+uint packGroup(NodeGroup group) { return group.node << 8u | group.slots << 2u | group.count; }
+NodeGroup unpackGroup(uint entry) { return NodeGroup(entry >> 8u, (entry >> 2u) & 63u, entry & 3u); }
+
+// Takes the last group away if `pop`, then adds one if `push`.
+void updateStack(inout GroupStack stack, bool pop, bool push, NodeGroup added) {
+  const bool up = push && !pop;
+  const bool down = pop && !push;
+  uint above = packGroup(added);
+  const uint first = pop && push ? above : stack.entries[0];
+  for (uint i = 0u; i < kStackSize; ++i) {
+    const uint entry = i == 0u ? first : stack.entries[i];
+    const uint below = i + 1u < kStackSize ? stack.entries[i + 1u] : 0u;
+    stack.entries[i] = up ? above : (down ? below : entry);
+    above = entry;
+  }
+}
+
 // Finds the first primitive that the ray hits before hit.t, or any one of them if `anyHit`; not the one named
 // `skipped`. Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
 //
-// The nearer child is visited first, the other one waits on the stack. `finished` is set where the search
-// ends and nowhere else, so a loop that was cut short is noticed, the one over a leaf's primitives included.
-bool traverse(const bool anyHit, Ray ray, uint skipped, uint root, inout Hit hit) {
+// One turn of the inner loop takes the nearest child that waits and, if it is an inner node, finds which of its
+// children the ray enters; the loop ends at a leaf, or where nothing waits. A lane that has its leaf waits for
+// those of its subgroup that have not: so the tests of the leaves are done together.
+//
+// Each exit that a device may force is told from a search that is over: by a reference to an inner node, a leaf's
+// primitives that are left, and `over`.
+bool traverse(const bool anyHit, Ray ray, uint skipped, inout Hit hit) {
   const RayConstants constants = rayConstants(ray);
-  uint stack[kMaxBvhDepth];
-  int stackSize = 0;
-  uint reference = root;
-  bool finished = false;
-  for (uint step = 0u; step < kMaxTraversalSteps && !finished; ++step) {
-    if (reference > kMaxReference) {
-      const uint first = reference & kMaxReference;
-      const uint end = first + (reference >> kLeafShift);
-      uint i = first;
-      for (; i < end && !(anyHit && hit.surface != kNoSurface); ++i) {
-        if (i != skipped) hitPrimitive(ray, constants, i, hit);
+  GroupStack stack;
+  for (uint i = 0u; i < kStackSize; ++i) stack.entries[i] = 0u;
+  NodeGroup group = NodeGroup(0u, 0u, 1u);  // the node above the root
+  bool over = false;
+  uint steps = 0u;
+  do {
+    uint reference = 0u;
+    do {
+      // Always true, as the loop's condition says it too. But without it Mesa 22.3's llvmpipe computes `reference`
+      // anew in later turns for lanes that have left the loop.
+      if (steps < kMaxTraversalSteps) {
+        const bool pop = group.count == 0u;
+        if (pop) group = unpackGroup(stack.entries[0]);
+        over = group.count == 0u;
+        const uvec4 children = fetchChildren(group.node);
+        const uint slot = group.slots & 3u;
+        const uint child = slot < 2u ? (slot == 0u ? children.x : children.y) : (slot == 2u ? children.z : children.w);
+        reference = over ? kNoReference : child;
+        group.slots >>= 2u;
+        group.count -= over ? 0u : 1u;
+        const bool isNode = reference <= kMaxReference;
+        updateStack(stack, pop, isNode && group.count > 0u, group);
+        const uint node = isNode ? reference : 0u;
+        const NodeGroup entered = sortedGroup(node, enterChildren(ray, constants, node, hit.t));
+        if (isNode) group = entered;
+        ++steps;
       }
-      if (anyHit && hit.surface != kNoSurface) {
-        finished = true;
-      } else if (i < end) {
-        return false;
-      }
-    } else {
-      const BvhNode node = fetchNode(reference);
-      const float entry0 = intersectBox(ray, constants, node.lower0, node.upper0, hit.t);
-      const float entry1 = intersectBox(ray, constants, node.lower1, node.upper1, hit.t);
-      const bool swapped = entry1 < entry0;
-      const float nearEntry = swapped ? entry1 : entry0;
-      const float farEntry = swapped ? entry0 : entry1;
-      if (farEntry < kInfinity) stack[stackSize++] = swapped ? node.child0 : node.child1;
-      if (nearEntry < kInfinity) {
-        reference = swapped ? node.child1 : node.child0;
-        continue;
-      }
+    } while (reference <= kMaxReference && steps < kMaxTraversalSteps);
+    if (reference <= kMaxReference) return false;
+    uint i = reference & kMaxReference;
+    const uint end = over ? i : i + (reference >> kLeafShift);
+    while (i < end) {
+      if (i != skipped) hitPrimitive(ray, constants, i, hit);
+      ++i;
     }
-    finished = finished || stackSize == 0;
-    if (!finished) reference = stack[--stackSize];
-  }
-  return finished;
+    if (i < end) return false;
+    over = over || (anyHit && hit.surface != kNoSurface);
+  } while (!over);
+  return over;
 }
 
 // The same for the scene as a whole. A plane is an object of its own, so it is compared by object.
-bool findHit(const bool anyHit, Ray ray, uint skipped, uint root, inout Hit hit) {
+bool findHit(const bool anyHit, Ray ray, uint skipped, inout Hit hit) {
   if (kHasSpheres || kHasTriangles) {
-    if (!traverse(anyHit, ray, skipped, root, hit)) return false;
+    if (!traverse(anyHit, ray, skipped, hit)) return false;
   }
   uint i = 0u;
   for (; i < kPlaneCount && !(anyHit && hit.surface != kNoSurface); ++i) {

@@ -90,7 +90,8 @@ void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuS
       << gpuScene.droppedDuplicates << " duplicates dropped)\n  inner nodes     " << bvh.innerNodes
       << "\n  leaves          " << bvh.leaves << " of " << bvh.leafSize
       << " primitives in the mean\n  depth           " << bvh.depth << " of at most " << gpu::kMaxBvhDepth
-      << "\n  SAH cost        " << bvh.sahCost << '\n';
+      << "\n  as traversed    " << gpuScene.nodes.size() << " nodes of up to " << gpu::kNodeWidth
+      << " children, depth " << gpuScene.bvhDepth << "\n  SAH cost        " << bvh.sahCost << '\n';
   const double pixels = static_cast<double>(result.image.width) * result.image.height;
   out << "rays\n  camera          " << result.counts.samples << " ("
       << static_cast<double>(result.counts.samples) / pixels << " a pixel, at most " << result.mostSamples

@@ -1,13 +1,12 @@
 #include "core/flatten.hpp"
 
-#include <cassert>
-
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "core/parallel.hpp"
 #include "core/primitives.hpp"
 #include "core/vector.hpp"
+#include "core/wide_bvh.hpp"
 
 namespace lavaray {
 namespace {
@@ -26,51 +25,6 @@ std::vector<Box> boundingBoxes(const Primitives& primitives, unsigned threads) {
   return boxes;
 }
 
-// Turns the tree as built into the tree as traversed: inner nodes only, without gaps, depth first, each with
-// the boxes of its children; and primitives in the order of the leaves.
-class BvhFlattener {
- public:
-  BvhFlattener(const Bvh& bvh, const Primitives& primitives, GpuScene& scene)
-      : bvh_(bvh), primitives_(primitives), scene_(scene) {}
-
-  void run() {
-    scene_.primitives.reserve(bvh_.order.size());
-    scene_.rootReference = flattenNode(0, 0);
-  }
-
- private:
-  // Returns the node reference that stands for the subtree.
-  gpu::uint flattenNode(std::uint32_t index, std::uint32_t depth) {
-    const BvhNode& node = bvh_.nodes[index];
-    if (node.count > 0) return flattenLeaf(node);
-    assert(depth < gpu::kMaxBvhDepth);
-    const auto reference = static_cast<gpu::uint>(scene_.nodes.size());
-    const Box& left = bvh_.nodes[node.left].box;
-    const Box& right = bvh_.nodes[node.right].box;
-    scene_.nodes.push_back({left.lower, 0, left.upper, 0, right.lower, 0, right.upper, 0});
-    const gpu::uint child0 = flattenNode(node.left, depth + 1);
-    const gpu::uint child1 = flattenNode(node.right, depth + 1);
-    scene_.nodes[reference].child0 = child0;
-    scene_.nodes[reference].child1 = child1;
-    return reference;
-  }
-
-  gpu::uint flattenLeaf(const BvhNode& leaf) {
-    assert(leaf.count <= gpu::kMaxLeafSize);
-    const auto first = static_cast<gpu::uint>(scene_.primitives.size());
-    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      const std::uint32_t primitive = bvh_.order[i];
-      scene_.primitives.push_back(primitives_.shapes[primitive]);
-      if (!primitives_.planes.empty()) scene_.trianglePlanes.push_back(primitives_.planes[primitive]);
-    }
-    return leaf.count << gpu::kLeafShift | first;
-  }
-
-  const Bvh& bvh_;
-  const Primitives& primitives_;
-  GpuScene& scene_;
-};
-
 void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {
   Primitives primitives = collectPrimitives(scene);
   if (primitives.shapes.empty()) return;
@@ -80,7 +34,15 @@ void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {
     if (result.droppedDuplicates > 0) bvh = buildBvh(boundingBoxes(primitives, threads), threads);
   }
   result.bvhQuality = measure(bvh);
-  BvhFlattener(bvh, primitives, result).run();
+  WideBvh wide = widen(bvh);
+  result.nodes = std::move(wide.nodes);
+  result.bvhDepth = wide.depth;
+  result.primitives.reserve(wide.order.size());
+  for (const std::uint32_t i : wide.order) result.primitives.push_back(primitives.shapes[i]);
+  result.trianglePlanes.reserve(primitives.planes.size());
+  if (!primitives.planes.empty()) {
+    for (const std::uint32_t i : wide.order) result.trianglePlanes.push_back(primitives.planes[i]);
+  }
   result.cornerNormals = std::move(primitives.cornerNormals);
   result.hasSpheres = !scene.spheres.empty();
   result.hasTriangles = !result.trianglePlanes.empty();

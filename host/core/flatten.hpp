@@ -12,8 +12,8 @@ namespace lavaray {
 // The scene as the shaders read it: float32, relative to the camera's position. Subtracting that in double
 // precision first gives the coordinates near the camera their full precision wherever the scene lies.
 struct GpuScene {
-  std::vector<gpu::BvhNode> nodes;                 // empty where the root is a leaf or nothing is bounded
-  std::uint32_t rootReference = 0;                 // meaningful where there are primitives
+  std::vector<gpu::BvhNode> nodes;                 // see WideBvh; empty where there are no primitives
+  std::uint32_t bvhDepth = 0;                      // of them: inner nodes on the longest path
   std::vector<gpu::Primitive> primitives;          // in the order of the BVH's leaves
   std::vector<gpu::TrianglePlane> trianglePlanes;  // one a primitive where there is a triangle, else empty
   std::vector<gpu::CornerNormal> cornerNormals;    // three for each triangle that has them

@@ -110,16 +110,18 @@ double AdaptiveSampling::estimatedError(std::uint64_t pixel) const {
 
 void AdaptiveSampling::add(const gpu::WorkItem& item, const gpu::WorkResult& result) {
   pixels_[item.pixel].halves[item.sequence].add(result.sum, item.count);
-  pixels_[item.pixel].squares += result.squares;
+  pixels_[item.pixel].squares += PixelSum::toFixedPoint(result.squares);
 }
 
+// Items end at powers of two up to the largest size and at multiples of it, wherever a pass ends: so samples
+// are always summed in the same groups, and the image does not depend on the passes that took them.
 void AdaptiveSampling::appendSamples(std::vector<gpu::WorkItem>& items, std::size_t pixel,
                                      std::uint32_t halfCount) const {
   for (gpu::uint half = 0; half < 2; ++half) {
-    for (std::uint32_t first = pixels_[pixel].halves[half].samples(); first < halfCount;
-         first += gpu::kMaxSamplesPerItem) {
-      items.push_back(
-          {static_cast<gpu::uint>(pixel), half, first, std::min(gpu::kMaxSamplesPerItem, halfCount - first)});
+    for (std::uint32_t first = pixels_[pixel].halves[half].samples(); first < halfCount;) {
+      const std::uint32_t count = std::clamp(first, 1U, gpu::kMaxSamplesPerItem);
+      items.push_back({static_cast<gpu::uint>(pixel), half, first, count});
+      first += count;
     }
   }
 }
@@ -159,7 +161,8 @@ AdaptiveSampling::Statistics AdaptiveSampling::statistics(std::size_t pixel) con
   const double n = samples(pixel);
   const glm::dvec3 pixelMean = mean(pixel);
   const double difference = meanSquare((halves[0].mean() - halves[1].mean()) / 2.0);
-  const double variance = std::max(0.0, pixels_[pixel].squares - n * meanSquare(pixelMean)) / (n - 1.0);
+  const double variance =
+      std::max(0.0, PixelSum::toDouble(pixels_[pixel].squares) - n * meanSquare(pixelMean)) / (n - 1.0);
   return {glm::vec3(pixelMean), static_cast<float>(difference * std::pow(n, kVarianceExponent)),
           static_cast<float>(variance)};
 }

@@ -40,7 +40,8 @@ class AdaptiveSampling {
  private:
   struct Pixel {
     std::array<PixelSum, 2> halves;
-    double squares = 0.0;  // sum over the samples of the mean over the channels of the squared colour
+    // Sum over the samples of the mean over the channels of the squared colour, in fixed point as the others.
+    std::int64_t squares = 0;
   };
   // What a pixel's samples say, apart from its neighbours.
   struct Statistics {

@@ -12,10 +12,15 @@ namespace lavaray {
 // float32 image shows, and 2^22 samples fit.
 class PixelSum {
  public:
+  static std::int64_t toFixedPoint(float value) {
+    return std::llround(std::ldexp(static_cast<double>(value), kFractionBits));
+  }
+  static double toDouble(std::int64_t value) {
+    return std::ldexp(static_cast<double>(value), -kFractionBits);
+  }
+
   void add(const glm::vec3& sum, std::uint32_t samples) {
-    for (int channel = 0; channel < 3; ++channel) {
-      sum_[channel] += std::llround(std::ldexp(static_cast<double>(sum[channel]), kFractionBits));
-    }
+    for (int channel = 0; channel < 3; ++channel) sum_[channel] += toFixedPoint(sum[channel]);
     samples_ += samples;
   }
   void add(const PixelSum& other) {
@@ -26,9 +31,8 @@ class PixelSum {
   // Black where there are no samples.
   [[nodiscard]] glm::dvec3 mean() const {
     if (samples_ == 0) return glm::dvec3(0.0);
-    const glm::dvec3 sum(static_cast<double>(sum_[0]), static_cast<double>(sum_[1]),
-                         static_cast<double>(sum_[2]));
-    return sum / std::ldexp(static_cast<double>(samples_), kFractionBits);
+    const glm::dvec3 sum(toDouble(sum_[0]), toDouble(sum_[1]), toDouble(sum_[2]));
+    return sum / static_cast<double>(samples_);
   }
 
  private:

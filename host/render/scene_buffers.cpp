@@ -1,5 +1,6 @@
 #include "render/scene_buffers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -42,6 +43,8 @@ std::vector<std::uint32_t> specializationFor(const GpuScene& scene) {
   values[gpu::kSpecLightCount] = static_cast<std::uint32_t>(scene.lights.size());
   values[gpu::kSpecHasMirrors] = scene.hasMirrors ? 1 : 0;
   values[gpu::kSpecHasSphericalLights] = scene.hasSphericalLights ? 1 : 0;
+  // The traversal's stack holds nodes above the one that it is at.
+  values[gpu::kSpecStackSize] = std::max(scene.bvhDepth, 2U) - 1U;
   return values;
 }
 

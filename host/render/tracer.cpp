@@ -27,7 +27,6 @@ gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSetti
   constants.cropX = static_cast<gpu::uint>(settings.crop.x0);
   constants.cropY = static_cast<gpu::uint>(settings.crop.y0);
   constants.cropWidth = static_cast<gpu::uint>(settings.crop.x1 - settings.crop.x0);
-  constants.rootReference = scene.rootReference;
   constants.seed = settings.seed;
   constants.maxDepth = scene.hasMirrors ? settings.maxDepth : 0;
   constants.filterSize = static_cast<gpu::uint>(filterSize);

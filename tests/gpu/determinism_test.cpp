@@ -59,8 +59,8 @@ TEST(Determinism, PiecesOfAnySizeInAnyOrderMakeTheSameImage) {
     Tracer tracer(testDevice(), gpuScene, scene.camera, settings, largestPiece);
     tracer.run(
         items.size(), [&](std::uint64_t index) { return items[index]; },
-        [&](std::uint64_t index, const glm::vec3& sum) {
-          sums[items[index].pixel].add(sum, items[index].count);
+        [&](std::uint64_t index, const gpu::WorkResult& result) {
+          sums[items[index].pixel].add(result.sum, items[index].count);
         },
         [] { return false; });
     std::size_t differing = 0;
@@ -110,7 +110,7 @@ Image renderToTarget(const Scene& scene, const RenderSettings& settings, std::ui
     std::shuffle(items.begin(), items.end(), random);
     tracer.run(
         items.size(), [&](std::uint64_t index) { return items[index]; },
-        [&](std::uint64_t index, const glm::vec3& sum) { adaptive.add(items[index], sum); },
+        [&](std::uint64_t index, const gpu::WorkResult& result) { adaptive.add(items[index], result); },
         [] { return false; });
   }
   Image image{width, height, {}};

@@ -34,8 +34,7 @@ class Tracer {
     buffers.push_back(vulkan::Buffer::shared(device, "hits", rays.size() * sizeof(gpu::ProbeHit)));
     std::memcpy(buffers[gpu::kBindingProbeIn].bytes(), rays.data(), rays.size() * sizeof(gpu::ProbeRay));
     const gpu::TraceConstants constants{static_cast<gpu::uint>(rays.size()),
-                                        static_cast<gpu::uint>(scene_.primitives.size()),
-                                        scene_.rootReference, mode};
+                                        static_cast<gpu::uint>(scene_.primitives.size()), mode, 0};
     vulkan::ComputeShader shader(device, traceProbeSpirv, specializationFor(scene_), buffers,
                                  sizeof constants);
     const auto groups =

@@ -18,6 +18,11 @@ layout(push_constant) uniform PushConstants { DispatchConstants constants; };
 
 void put(uint value, inout uint end) { words[end++] = value; }
 void put(float value, inout uint end) { put(floatBitsToUint(value), end); }
+void put(uvec3 value, inout uint end) {
+  put(value.x, end);
+  put(value.y, end);
+  put(value.z, end);
+}
 void put(vec2 value, inout uint end) {
   put(value.x, end);
   put(value.y, end);
@@ -31,8 +36,8 @@ void put(vec3 value, inout uint end) {
 void main() {
   uint end = 0u;
   const BvhNode node = fetchNode(1u);
-  put(node.lower0, end); put(node.child0, end); put(node.upper0, end); put(node.child1, end);
-  put(node.lower1, end); put(node.padding0, end); put(node.upper1, end); put(node.padding1, end);
+  put(node.origin, end); put(node.exponents, end); put(node.lower, end); put(node.padding0, end);
+  put(node.upper, end); put(node.padding1, end); put(node.children.xyz, end); put(node.children.w, end);
   const Primitive primitive = fetchPrimitive(1u);
   put(primitive.a, end); put(primitive.kind, end); put(primitive.b, end); put(primitive.object, end);
   put(primitive.c, end); put(primitive.order, end);
@@ -52,9 +57,9 @@ void main() {
   put(material.reflectance, end); put(material.padding2, end);
   put(constants.pixelSize, end); put(constants.halfImage, end); put(constants.focalLength, end);
   put(constants.cropX, end); put(constants.cropY, end); put(constants.cropWidth, end);
-  put(constants.itemCount, end); put(constants.pass, end); put(constants.rootReference, end);
-  put(constants.seed, end); put(constants.maxDepth, end); put(constants.filterSize, end);
-  put(constants.firstPixel, end); put(constants.padding0, end);
+  put(constants.itemCount, end); put(constants.pass, end); put(constants.seed, end);
+  put(constants.maxDepth, end); put(constants.filterSize, end);
+  put(constants.firstPixel, end); put(constants.padding0, end); put(constants.padding1, end);
   const WorkItem item = items[1];
   put(item.pixel, end); put(item.sequence, end); put(item.first, end); put(item.count, end);
   const WorkState state = states[1];

@@ -33,8 +33,8 @@ const uint kTraceBruteForce = 2u;  // the closest, by testing every primitive
 struct TraceConstants {
   uint rayCount;
   uint primitiveCount;
-  uint rootReference;
   uint mode;
+  uint padding0;
 };
 
 // Where samples of a light lie.

@@ -18,9 +18,9 @@ void main() {
   Hit hit = missUpTo(probe.tMax);
   bool finished;
   if (constants.mode == kTraceClosest) {
-    finished = traverse(false, ray, probe.skipped, constants.rootReference, hit);
+    finished = traverse(false, ray, probe.skipped, hit);
   } else if (constants.mode == kTraceAny) {
-    finished = traverse(true, ray, probe.skipped, constants.rootReference, hit);
+    finished = traverse(true, ray, probe.skipped, hit);
   } else {
     const RayConstants rayConstants = rayConstants(ray);
     uint i = 0u;

@@ -31,7 +31,6 @@ const uint kTexelsPerBatchRay = 2u;
 
 struct BatchConstants {
   uint rayCount;
-  uint rootReference;
 };
 
 #ifdef __cplusplus

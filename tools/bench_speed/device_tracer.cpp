@@ -13,7 +13,6 @@ DeviceTracer::DeviceTracer(vulkan::Device& device, const GpuScene& scene)
       sceneBuffers_(buffers_.size()),
       lights_(scene.lights.size()) {
   for (const vulkan::Buffer& buffer : buffers_) sceneBytes_ += buffer.size();
-  constants_.rootReference = scene.rootReference;
   specialization_.resize(gpu::kSpecBatchCount);
 }
 
