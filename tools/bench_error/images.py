@@ -2,6 +2,7 @@
 
 import importlib.util
 import math
+import re
 import sys
 from array import array
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from dataclasses import dataclass
 class Image:
     width: int
     height: int
-    values: array  # three floats a pixel
+    values: array  # three floats a pixel, the bottom row first as in a PFM
 
 
 def read_pfm(path):
@@ -29,6 +30,22 @@ def read_pfm(path):
     if big_endian != (sys.byteorder == "big"):
         values.byteswap()
     return Image(width, height, values)
+
+
+def read_ppm(path):
+    """Binary PPM with 16 bits a channel. Raises ValueError with the path where it is something else."""
+    data = path.read_bytes()
+    header = re.match(rb"P6\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+65535\s", data)
+    if not header:
+        raise ValueError(f"{path}: not a PPM image of 16 bits a channel")
+    width, height = (int(word) for word in header.groups())
+    levels = array("H", data[header.end():])
+    if len(levels) != 3 * width * height:
+        raise ValueError(f"{path}: not a PPM image of {width} x {height} pixels")
+    if sys.byteorder == "little":
+        levels.byteswap()
+    rows = [levels[start:start + 3 * width] for start in range(0, len(levels), 3 * width)]
+    return Image(width, height, array("f", (level / 65535 for row in reversed(rows) for level in row)))
 
 
 def write_pfm(path, image):

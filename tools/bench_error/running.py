@@ -1,4 +1,4 @@
-"""Runs lavaray as a subprocess, and keeps references between runs of the benchmark."""
+"""Runs lavaray as a subprocess, times subprocesses, and keeps references between runs of the benchmark."""
 
 import hashlib
 import os
@@ -53,28 +53,33 @@ class Program:
         return f"{self.version.strip()} {self.path.stat().st_mtime_ns} {' '.join(self.extra_options)}"
 
     def render(self, scene_file, options):
-        """One image and the processor time it took, of this process alone: wait4 counts one child, where
-        getrusage would count all that there ever were."""
         with tempfile.TemporaryDirectory() as folder:
             output = Path(folder) / "image.pfm"
-            command = [self.path, scene_file, "-o", output, *options, *self.extra_options]
-            with open(Path(folder) / "messages", "w+b") as messages:
-                start = time.perf_counter()
-                child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages)
-                try:
-                    _, status, usage = os.wait4(child.pid, 0)
-                except KeyboardInterrupt:
-                    child.kill()
-                    child.wait()
-                    raise
-                wall = time.perf_counter() - start
-                child.returncode = os.waitstatus_to_exitcode(status)
-                if child.returncode != 0:
-                    messages.seek(0)
-                    said = messages.read().decode(errors="replace")[-2000:].strip()
-                    line = " ".join(str(word) for word in command)
-                    raise ProgramError(f"{line}\nfailed with exit code {child.returncode}: {said}")
-            return Run(read_pfm(output), usage.ru_utime + usage.ru_stime, wall)
+            cpu, wall = timed([self.path, scene_file, "-o", output, *options, *self.extra_options])
+            return Run(read_pfm(output), cpu, wall)
+
+
+def timed(command, folder=None, environment=None):
+    """Processor and clock seconds of a command, of this process alone: wait4 counts one child, where getrusage
+    would count all that there ever were. `environment` is added to what there is."""
+    with tempfile.TemporaryFile() as messages:
+        start = time.perf_counter()
+        child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages, cwd=folder,
+                                 env={**os.environ, **(environment or {})})
+        try:
+            _, status, usage = os.wait4(child.pid, 0)
+        except KeyboardInterrupt:
+            child.kill()
+            child.wait()
+            raise
+        wall = time.perf_counter() - start
+        child.returncode = os.waitstatus_to_exitcode(status)
+        if child.returncode != 0:
+            messages.seek(0)
+            said = messages.read().decode(errors="replace")[-2000:].strip()
+            line = " ".join(str(word) for word in command)
+            raise ProgramError(f"{line}\nfailed with exit code {child.returncode}: {said}")
+    return usage.ru_utime + usage.ru_stime, wall
 
 
 def write_scene(scene, folder):
