@@ -4,14 +4,14 @@ import math
 from dataclasses import dataclass
 from statistics import median
 
-from bench_error.experiment import ADAPTIVE
+from bench_error.experiment import ADAPTIVE, PEERS
 
 
 @dataclass(frozen=True)
 class Point:
     """All measurements of one contestant on one scene."""
 
-    setting: float
+    setting: float | str
     rmse: float  # root of the mean square over the seeds, as each of them is
     relmse: float
     max: float
@@ -27,12 +27,15 @@ class Point:
 
 
 def points(measurements, scene, method):
-    """The curve of one method on one scene, the cheapest setting first."""
+    """The curve of one method on one scene, the cheapest setting first. Which of POV-Ray's is cheaper depends on
+    the scene, so that they are in the order of their times."""
     groups = {}
     for m in measurements:
         if m.scene == scene and m.method == method:
             groups.setdefault(m.setting, []).append(m)
     curve = [make_point(setting, group) for setting, group in groups.items()]
+    if method in PEERS:
+        return sorted(curve, key=lambda p: p.cpu)
     return sorted(curve, key=lambda p: p.setting, reverse=method == ADAPTIVE)
 
 
@@ -79,7 +82,7 @@ def time_slope(curve, clock):
 @dataclass(frozen=True)
 class Estimate:
     """How a value was found: "" measured or interpolated; "~" extrapolated; "<=" all that is measured is
-    better than asked for, so that this is a bound."""
+    better than asked for, so that this is a bound; ">=" what follows from such a bound below a fraction line."""
 
     value: float
     mark: str = ""
@@ -113,6 +116,22 @@ def time_at_error(curve, error, clock):
     if pairs and pairs[0][1] <= error:
         return Estimate(pairs[0][0], "<=")
     return on_line([(1 / e, t) for t, e in pairs], 1 / error)
+
+
+def time_of_peer(curves, error, clock):
+    """The least of the curves' times at that error; None where none of them comes so far: an error that does not fall
+    any more has no time, so that nothing is extrapolated."""
+    reaching = [by_time(curve, clock) for curve in curves if least_error(curve) <= error]
+    times = [time for time in (time_at_error(curve, error, clock) for curve in reaching) if time]
+    return min(times, key=lambda time: time.value, default=None)
+
+
+def by_time(curve, clock):
+    return sorted(curve, key=lambda p: p.time(clock))
+
+
+def least_error(curve):
+    return min((p.rmse for p in curve), default=math.inf)
 
 
 def error_at_time(curve, time, clock):

@@ -7,7 +7,7 @@ import platform
 import sys
 from pathlib import Path
 
-from bench_error import experiment, images, plot, running, scenes
+from bench_error import analysis, experiment, images, plot, povray, running, scenes
 from bench_error.tables import Report
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,6 +17,9 @@ Measures how far lavaray's images are from the truth and what that costs: fixed 
 against adaptive sampling to a target error. Prints tables and saves them with all measurements (JSON) and plots
 (SVG, and PNG where matplotlib is installed). The references take the longest, most of an hour on two cores
 (with --quick a few minutes); they are kept until the program is built anew, with --keep-references for longer.
+
+Where POV-Ray is installed, it takes part on the scenes that it can show equally. For some these are variants of a
+scene, named after it with -peer, and lavaray is measured on the variants, too.
 """
 
 EPILOG = """\
@@ -92,6 +95,7 @@ def parse_options(arguments):
         help="time that tables and plots show: of the processors, which a busy machine disturbs less, or of the "
              "clock (default: cpu); the JSON holds both")
     add("--device", metavar="NAME", help="passed on to the program")
+    add("--povray", default="povray", metavar="FILE", help="POV-Ray to compare with (default: povray; '' for none)")
     options = parser.parse_args(arguments)
     if options.spp is None:
         options.spp = [1, 4, 16, 64] if options.quick else [1, 4, 16, 64, 256, 1024]
@@ -127,20 +131,23 @@ def panels(report, names, clock):
     """For the plots: error against time, and against samples a pixel."""
     by_time, by_spp = [], []
     for name in names:
-        curves = {m: report.curves[name, m] for m in plot.STYLES}
+        curves = {m: report.curves[name, m] for m in (*experiment.FIXED, experiment.ADAPTIVE)}
         start = report.startup(name)
         times = {m: [(p.time(clock), p.rmse) for p in c if p.rmse > 0] for m, c in curves.items()}
+        for method in experiment.PEERS:  # the settings that no other setting beats
+            times[method] = analysis.monotone(analysis.by_time(report.curves[name, method], clock), clock)
         spps = {m: [(p.setting, p.rmse) for p in curves[m] if p.rmse > 0] for m in experiment.FIXED}
         by_time.append((name, times, start.time(clock) if start else None))
         by_spp.append((name, spps, None))
     return by_time, by_spp
 
 
-def save(options, program, report, measurements, references, text):
+def save(options, program, rival, report, measurements, references, text):
     out = options.out
     width, height = options.size
     result = {
         "program": program.version.strip(),
+        "povray": rival.version if rival else None,
         "machine": {"system": platform.platform(), "processors": os.cpu_count()},
         "size": [width, height],
         "clock": options.clock,
@@ -164,23 +171,32 @@ def save(options, program, report, measurements, references, text):
 def run(options):
     extra = ["--device", options.device] if options.device else []
     program = running.Program(options.program, extra)
+    rival = povray.find(options.povray, options.size) if options.povray else None
     notes = missing_packages()
+    if options.povray and not rival:
+        notes.append(f"{options.povray} is not installed: no comparison with POV-Ray")
     for note in notes:
         print(note, file=sys.stderr)
     chosen = scenes.make_scenes(options.scenes, options.size, model_texts())
+    peers = povray.Peers({}, {}, {})
+    texts, left_out = povray.peer_scenes(chosen) if rival else ([], {})
+    chosen += [scene for scene, _ in texts if scene.variant]
     files = {scene.name: running.write_scene(scene, options.out / "scenes") for scene in chosen}
+    if rival:
+        peers = povray.prepare(rival, program, texts, files, left_out, progress)
     references = {}
     for scene in chosen:
         progress(f"reference of {scene.name}, {options.reference_spp} samples a pixel")
         references[scene.name] = running.reference(program, scene, files[scene.name], options.reference_spp,
                                                    options.out / "references", options.keep_references)
-    plan = experiment.contestants(options.spp, options.targets)
-    measurements = experiment.measure(program, files, references, plan, options.repeats, options.seeds,
-                                      options.max_spp, images.flip_is_available(), progress)
+    teams = [experiment.Team(program, files, experiment.contestants(options.spp, options.targets)),
+             experiment.Team(rival, peers.files, povray.contestants(options.quick))]
+    measurements = experiment.measure(teams, references, options.repeats, options.seeds, options.max_spp,
+                                      images.flip_is_available(), progress)
     progress("")
-    report = Report(chosen, measurements, references, options.targets, options.clock)
+    report = Report(chosen, measurements, references, options.targets, options.clock, peers)
     text = "\n".join([*notes, "", report.text()]) if notes else report.text()
-    save(options, program, report, measurements, references, text)
+    save(options, program, rival, report, measurements, references, text)
     print(report.text())
     print(f"saved in {options.out}: bench-error.json, bench-error.txt, error-time.svg, error-spp.svg")
 

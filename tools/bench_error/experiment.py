@@ -1,7 +1,8 @@
 """What is run: each method at each of its settings, on each scene, with several seeds, in turns.
 
 In turns, so that whatever else the machine does meets all contestants alike. A repetition has a seed of its
-own: the same seed would give the same image, and one seed's error says little.
+own: the same seed would give the same image, and one seed's error says little. POV-Ray has no seeds: its repetitions
+differ in time alone.
 """
 
 from dataclasses import asdict, dataclass
@@ -10,14 +11,17 @@ from bench_error.images import errors
 
 FIXED = ("random", "sobol")
 ADAPTIVE = "adaptive"
+PEERS = {"povray-am1": "+AM1", "povray-am2": "+AM2"}  # all methods that POV-Ray 3.7 has
 
 
 @dataclass(frozen=True)
 class Contestant:
-    method: str  # of FIXED, or ADAPTIVE
-    setting: float  # samples a pixel, or the target error
+    method: str  # of FIXED, ADAPTIVE, or of PEERS
+    setting: float | str  # samples a pixel, the target error, or POV-Ray's options
 
     def options(self, seed, max_spp):
+        if self.method in PEERS:
+            return [PEERS[self.method], *self.setting.split()]
         if self.method != ADAPTIVE:
             return ["--spp", str(self.setting), "--sampler", self.method, "--seed", str(seed)]
         limit = ["--max-spp", str(max_spp)] if max_spp else []
@@ -28,7 +32,7 @@ class Contestant:
 class Measurement:
     scene: str
     method: str
-    setting: float
+    setting: float | str
     seed: int
     cpu: float
     wall: float
@@ -38,30 +42,49 @@ class Measurement:
     flip: float | None = None
 
 
+@dataclass(frozen=True)
+class Team:
+    """A program with what it takes part in."""
+
+    program: object  # with render(file, options)
+    files: dict  # scene name -> file
+    contestants: list
+
+
+def label(method, setting):
+    if method in PEERS:
+        return f"povray {PEERS[method]} {setting}"
+    return f"{method} {'E=' if method == ADAPTIVE else ''}{setting:g}"
+
+
 def contestants(spps, targets):
     fixed = [Contestant(method, spp) for spp in spps for method in FIXED]
     return fixed + [Contestant(ADAPTIVE, target) for target in targets]
 
 
-def measure(program, files, references, plan, repeats, seeds, max_spp, with_flip, progress):
+def measure(teams, references, repeats, seeds, max_spp, with_flip, progress):
     """Measurements of all contestants in `repeats` rounds; more rounds of the adaptive ones up to `seeds`.
 
-    `files` are scene files by name, `references` their references; progress(text) is told what runs.
+    `references` by scene name; progress(text) is told what runs.
     """
     measurements = []
     for number in range(max(repeats, seeds)):
-        for name, file in files.items():
-            for contestant in plan:
+        for name in references:
+            for team, contestant in entries(teams, name):
                 if number >= (seeds if contestant.method == ADAPTIVE else repeats):
                     continue
-                progress(f"seed {number + 1}: {name}, {contestant.method} {contestant.setting:g}")
-                run = program.render(file, contestant.options(number + 1, max_spp))
+                progress(f"seed {number + 1}: {name}, {label(contestant.method, contestant.setting)}")
+                run = team.program.render(team.files[name], contestant.options(number + 1, max_spp))
                 found = errors(run.image, references[name].image, with_flip)
                 measurements.append(
                     Measurement(name, contestant.method, contestant.setting, number + 1, run.cpu_seconds,
                                 run.wall_seconds, **found)
                 )
     return measurements
+
+
+def entries(teams, scene):
+    return [(team, contestant) for team in teams if scene in team.files for contestant in team.contestants]
 
 
 def as_json(measurements):

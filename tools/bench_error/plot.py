@@ -14,6 +14,8 @@ STYLES = {
     "random": ("#D55E00", "square", "fixed, random"),
     "sobol": ("#0072B2", "circle", "fixed, Owen-Sobol"),
     "adaptive": ("#009E73", "triangle", "adaptive"),
+    "povray-am1": ("#CC79A7", "diamond", "POV-Ray +AM1"),
+    "povray-am2": ("#E69F00", "wedge", "POV-Ray +AM2"),
 }
 
 
@@ -68,7 +70,7 @@ def legend(panels, styles):
         if any(curves.get(method) for _, curves, _ in panels):
             parts.append(f'<path d="M{x - 12} 40H{x + 12}" stroke="{color}" stroke-width="1.6"/>')
             parts += [marker(shape, x, 40, color), f'<text x="{x + 17}" y="44">{label}</text>']
-            x += 150
+            x += 50 + 6 * len(label)
     if any(line for _, _, line in panels):
         parts.append(f'<path d="M{x - 12} 40H{x + 12}" stroke="#999" stroke-dasharray="4 3"/>')
         parts.append(f'<text x="{x + 17}" y="44">one sample a pixel: mostly start-up</text>')
@@ -113,9 +115,10 @@ def marker(shape, x, y, color):
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.2" fill="{color}"/>'
     if shape == "square":
         return f'<rect x="{x - 2.9:.1f}" y="{y - 2.9:.1f}" width="5.8" height="5.8" fill="{color}"/>'
-    if shape == "diamond":
-        return f'<path d="M{x:.1f} {y - 4:.1f}l4 4l-4 4l-4 -4z" fill="{color}"/>'
-    return f'<path d="M{x:.1f} {y - 4.2:.1f}l3.9 6.8h-7.8z" fill="{color}"/>'
+    outlines = {"triangle": (-4.2, "l3.9 6.8h-7.8z"), "wedge": (4.2, "l3.9 -6.8h-7.8z"),
+                "diamond": (-4.2, "l3.9 4.2l-3.9 4.2l-3.9 -4.2z")}
+    offset, outline = outlines[shape]
+    return f'<path d="M{x:.1f} {y + offset:.1f}{outline}" fill="{color}"/>'
 
 
 def matplotlib_is_available():
@@ -131,7 +134,7 @@ def write_png(path, title, x_label, panels):
     rows = math.ceil(len(panels) / COLUMNS)
     figure, grid = pyplot.subplots(rows, COLUMNS, figsize=(4 * COLUMNS, 3 * rows), squeeze=False,
                                    layout="constrained")
-    markers = {"square": "s", "circle": "o", "triangle": "^"}
+    markers = {"square": "s", "circle": "o", "triangle": "^", "wedge": "v", "diamond": "D"}
     for axes in grid.flat[len(panels):]:
         axes.axis("off")
     for axes, (name, curves, line) in zip(grid.flat, panels):
@@ -143,7 +146,7 @@ def write_png(path, title, x_label, panels):
             axes.axvline(line, color="#999999", linestyle="--", linewidth=1)
         axes.set(title=name, xlabel=x_label, ylabel="RMSE")
         axes.grid(alpha=0.3)
-    grid.flat[0].legend(fontsize="small")
+    max(grid.flat, key=lambda axes: len(axes.lines)).legend(fontsize="small")
     figure.suptitle(title)
     figure.savefig(path, dpi=120)
     pyplot.close(figure)

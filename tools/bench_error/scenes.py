@@ -18,6 +18,7 @@ class BenchScene:
     text: str
     meshes: dict  # file name -> OBJ text
     slopes_only: bool = False  # left out of the equal-error and target tables
+    variant: bool = False  # of another scene, for the comparison with POV-Ray alone
 
 
 class Builder:

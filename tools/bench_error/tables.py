@@ -1,7 +1,7 @@
 """The tables, as text."""
 
 from bench_error import analysis
-from bench_error.experiment import ADAPTIVE, FIXED
+from bench_error.experiment import ADAPTIVE, FIXED, PEERS, label
 
 
 def table(title, header, rows):
@@ -26,22 +26,28 @@ def percent(value):
 
 
 class Report:
-    def __init__(self, scenes, measurements, references, targets, clock):
+    def __init__(self, scenes, measurements, references, targets, clock, peers):
         self.scenes = scenes
-        self.compared = [scene.name for scene in scenes if not scene.slopes_only]
+        self.compared = [scene.name for scene in scenes if not (scene.slopes_only or scene.variant)]
+        self.peers = peers
+        self.rivalled = [s.name for s in scenes if s.name in peers.files and not s.slopes_only]
         self.references = references
         self.targets = targets
         self.clock = clock
         self.curves = {
             (scene.name, method): analysis.points(measurements, scene.name, method)
             for scene in scenes
-            for method in (*FIXED, ADAPTIVE)
+            for method in (*FIXED, ADAPTIVE, *PEERS)
         }
 
     def text(self):
         parts = [self.scene_table(), *(self.error_table(s.name) for s in self.scenes), self.slope_table()]
         if self.targets:
             parts += [self.equal_error_table(), self.equal_time_table(), self.honoured_table()]
+        if self.peers.files or self.peers.left_out:
+            parts.append(self.peer_table())
+        if self.targets and self.rivalled:
+            parts.append(self.rival_table())
         return "\n".join(parts)
 
     def startup(self, scene):
@@ -61,9 +67,9 @@ class Report:
     def error_table(self, scene):
         rows = []
         floor = 4 * self.references[scene].rmse
-        for method in (*FIXED, ADAPTIVE):
+        for method in (*FIXED, ADAPTIVE, *PEERS):
             for p in self.curves[scene, method]:
-                name = f"{method} {'E=' if method == ADAPTIVE else ''}{p.setting:g}"
+                name = label(method, p.setting)
                 rows.append((name, number(p.rmse) + ("?" if p.rmse < floor else ""), number(p.relmse),
                              number(p.max), number(p.flip), number(p.cpu_min), number(p.cpu), number(p.wall_min),
                              number(p.wall)))
@@ -156,6 +162,59 @@ class Report:
         header = ("runs", "number", "<= E", "< E/3", "largest RMSE")
         return table("Target honoured: true RMSE of runs with --target-error E", header, rows)
 
+    def peer_table(self):
+        """Which scenes POV-Ray takes part in, how equal its pictures are, and why the others are none."""
+        rows = []
+        for name, difference in self.peers.differences.items():
+            least = [analysis.least_error(self.curves[name, method]) for method in PEERS]
+            rows.append((name, number(difference), *map(number, least), ""))
+        rows += [(name, None, None, None, reason) for name, reason in self.peers.left_out.items()]
+        header = ("scene", "differs by", *(f"least {option}" for option in PEERS.values()), "no peer, because of")
+        return table("POV-Ray: RMSE between its image and lavaray's with one ray a pixel, and the least RMSE that its\n"
+                     "methods reached", header, rows)
+
+    def rival_points(self, target):
+        """(scene, adaptive run, POV-Ray's times by each method, its best time) at equal error; None for a time where
+        POV-Ray does not come so far."""
+        result = []
+        for name in self.rivalled:
+            curves = {method: self.curves[name, method] for method in PEERS}
+            for p in self.curves[name, ADAPTIVE]:
+                if p.setting == target:
+                    times = [analysis.time_of_peer([c], p.rmse, self.clock) for c in curves.values()]
+                    best = analysis.time_of_peer(curves.values(), p.rmse, self.clock)
+                    result.append((name, p, times, best))
+        return result
+
+    def rival_ratios(self, target):
+        return [p.time(self.clock) / best.value for _, p, _, best in self.rival_points(target) if best]
+
+    def rival_table(self):
+        rows = []
+        every, asked = [], 0
+        for target in self.targets:
+            found = self.rival_points(target)
+            for name, p, times, best in found:
+                ratio = analysis.Estimate(p.time(self.clock) / best.value, ">=" if best.mark else "") if best else None
+                rows.append((f"{target:g} {name}", number(p.rmse), number(p.time(self.clock)),
+                             *(time or "not reached" for time in times), ratio))
+            ratios = self.rival_ratios(target)
+            rows.append(self.rival_mean(f"{target:g}", ratios, len(found)))
+            every += ratios
+            asked += len(found)
+        rows.append(self.rival_mean("all", every, asked))
+        header = ("E and scene", "true RMSE", "adaptive s", *(f"{option} s" for option in PEERS.values()),
+                  "adaptive/best")
+        title = (f"Equal error against POV-Ray: {self.clock} seconds, start-up included, to the true RMSE that\n"
+                 "adaptive reached for E (interpolated; <=: POV-Ray's fastest run is better already, so that the\n"
+                 "ratio is a bound; not reached: none of its settings comes so far, and the mean is without them)")
+        return table(title, header, rows)
+
+    @staticmethod
+    def rival_mean(name, ratios, asked):
+        return (f"{name} geometric mean, {len(ratios)} of {asked}", "", "", "", "",
+                number(analysis.geometric_mean(ratios)))
+
     def rmses_by_target(self):
         return {t: [r for s in self.compared for p in self.curves[s, ADAPTIVE] if p.setting == t for r in p.rmses]
                 for t in self.targets}
@@ -176,10 +235,15 @@ class Report:
             ratios[f"{target:g}"] = {method: analysis.geometric_mean(found[method]) for method in FIXED}
         every = {m: [r for t in self.targets for r in self.ratios(t)[m]] for m in FIXED}
         ratios["all"] = {method: analysis.geometric_mean(every[method]) for method in FIXED}
+        rival = {f"{t:g}": self.rival_ratios(t) for t in self.targets}
+        rival["all"] = [ratio for found in list(rival.values()) for ratio in found]
         kept = analysis.honoured(self.rmses_by_target())
         return {
             "slopes": slopes,
             "time_of_adaptive_over": ratios,
+            "time_of_adaptive_over_povray": {t: analysis.geometric_mean(found) for t, found in rival.items()},
+            "povray_differs_by": self.peers.differences,
+            "povray_left_out": self.peers.left_out,
             "target_honoured": vars(kept) if kept else None,
             "startup_seconds": {s.name: p.time(self.clock) for s in self.scenes if (p := self.startup(s.name))},
         }
