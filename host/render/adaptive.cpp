@@ -19,9 +19,14 @@ constexpr int kHardnessSteps = 256;
 constexpr int kSampleSteps = 24;
 // In one pass a pixel's samples grow at most by this factor, as the first estimates are rough; log2.
 constexpr int kLargestGrowthLog2 = 2;
-// Samples of each half to begin with, and where an object falls that so few can miss.
+// Samples of each half to begin with.
 constexpr std::uint32_t kFirstHalfSamples = 1;
-constexpr std::uint32_t kSmallObjectHalfSamples = 16;
+
+// The same where an object falls that so few can miss; the lower the target, the more a missed one matters.
+std::uint32_t smallObjectHalfSamples(double targetError) {
+  return std::bit_floor(static_cast<std::uint32_t>(std::clamp(0.04 / targetError, 1.0, 32.0)));
+}
+
 // Aims lower than asked for: pixels that look too easy by chance are not looked at again, which makes the
 // estimate a little too low.
 constexpr double kGoalFactor = 0.9;
@@ -129,7 +134,7 @@ void AdaptiveSampling::appendSamples(std::vector<gpu::WorkItem>& items, std::siz
 void AdaptiveSampling::appendFirstSamples(std::vector<gpu::WorkItem>& items) const {
   std::vector<std::uint32_t> halfCounts(pixels_.size(), kFirstHalfSamples);
   for (const std::uint64_t pixel : smallObjects_) {
-    halfCounts[pixel] = std::min(kSmallObjectHalfSamples, largestHalfCount());
+    halfCounts[pixel] = std::min(smallObjectHalfSamples(goal_ / kGoalFactor), largestHalfCount());
   }
   items.reserve(2 * pixels_.size());
   for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) appendSamples(items, pixel, halfCounts[pixel]);
