@@ -163,6 +163,12 @@ holds 'the difference is a picture' test -s difference.png
 expect 0 '' "$diff" --max-rmse 1 stretched.pfm dark.pfm
 expect 10 '' "$diff" --max-rmse 1e-9 stretched.pfm dark.pfm
 expect 0 '' "$diff" --max-differing 1000000 stretched.pfm dark.pfm
+expect 0 '' "$diff" --max-flip 1 stretched.pfm dark.pfm
+expect 10 '' "$diff" --max-flip 1e-9 stretched.pfm dark.pfm
+expect 10 '' "$diff" --max-flip 1 --max-rmse 1e-9 stretched.pfm dark.pfm
+expect 10 '' "$diff" --max-flip 1 --tolerance 1 stretched.pfm dark.pfm
+expect 0 '' "$diff" --max-flip 0 picture.pfm picture.png
+holds 'FLIP takes floats as what 8 bits show of them' grep -qE '^mean FLIP +0$' stdout
 expect 2 '' "$diff" picture.png
 expect 3 'broken\.txt' "$diff" picture.png broken.txt
 printf 'not a picture' >fake.png

@@ -9,7 +9,9 @@
 #include "app/program.hpp"
 #include "app/version.hpp"
 #include "core/errors.hpp"
+#include "core/parallel.hpp"
 #include "image/difference.hpp"
+#include "image/flip.hpp"
 #include "image/image_file.hpp"
 #include "image/output_file.hpp"
 
@@ -23,6 +25,7 @@ struct DiffOptions {
   std::optional<double> tolerance;  // in 1/255
   std::optional<std::size_t> maxDiffering;
   std::optional<double> maxRmse;
+  std::optional<double> maxFlip;
 };
 
 // Nothing where the command line asked for help or the version, which are printed then.
@@ -42,6 +45,9 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   app.add_option("--max-rmse", options.maxRmse, "Allow a root-mean-square error of E (colours in 0..1)")
       ->type_name("E")
       ->check(CLI::NonNegativeNumber);
+  app.add_option("--max-flip", options.maxFlip, "Allow a mean FLIP (perceived difference, 0..1) of F")
+      ->type_name("F")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("-o,--output", options.output, "Write a picture of the difference, the largest as 1")
       ->type_name("FILE");
   try {
@@ -60,10 +66,16 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
 }
 
 // A limit that is not given does not count; without any, no pixel may differ.
-bool withinLimits(const DiffOptions& options, const Difference& difference) {
-  const bool pixelsCount = options.tolerance || options.maxDiffering || !options.maxRmse;
+bool withinLimits(const DiffOptions& options, const Difference& difference, double flip) {
+  const bool pixelsCount = options.tolerance || options.maxDiffering || !(options.maxRmse || options.maxFlip);
   if (pixelsCount && difference.differing > options.maxDiffering.value_or(0)) return false;
-  return !options.maxRmse || difference.rmse <= *options.maxRmse;
+  if (options.maxRmse && !(difference.rmse <= *options.maxRmse)) return false;
+  return !options.maxFlip || flip <= *options.maxFlip;
+}
+
+// FLIP looks at what a display shows: of a file of floats what an 8-bit file of the same values would hold.
+Image displayedFile(const std::string& file, const Image& image) {
+  return imageFormat(file) == ImageFormat::kPfm ? asDisplayed(image) : image;
 }
 
 ExitCode diff(const DiffOptions& options) {
@@ -77,17 +89,20 @@ ExitCode diff(const DiffOptions& options) {
   // Half a percent of a level, so that a difference of T levels, a rounded quotient of 255, is within T.
   const double tolerance = (options.tolerance.value_or(0.0) + (options.tolerance ? 0.005 : 0.0)) / 255.0;
   const Difference difference = compare(image, reference, tolerance);
+  const double flip = meanFlip(displayedFile(options.image, image),
+                               displayedFile(options.reference, reference), hardwareThreads());
   std::cout << "differing    " << difference.differing << " of " << difference.pixels << " pixels\n"
             << "largest      " << difference.largest * 255.0 << " / 255 at " << difference.x << ","
             << difference.y << '\n'
             << "RMSE         " << difference.rmse << '\n'
-            << "PSNR         " << difference.psnr() << " dB\n";
+            << "PSNR         " << difference.psnr() << " dB\n"
+            << "mean FLIP    " << flip << '\n';
   if (!options.output.empty()) {
     OutputFile file(options.output);
     writeImage(differencePicture(image, reference), imageFormat(options.output).value(), file.stream());
     file.commit();
   }
-  return withinLimits(options, difference) ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
+  return withinLimits(options, difference, flip) ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
 }
 
 }  // namespace

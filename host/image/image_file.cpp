@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #define cimg_display 0
 #define cimg_verbosity 0
@@ -53,6 +54,14 @@ std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
 
 std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
+}
+
+Image asDisplayed(const Image& image) {
+  Image result = image;
+  for (float& value : result.rgb) {
+    if (!std::isnan(value)) value = static_cast<float>(toByte(std::clamp(value, 0.0F, 1.0F))) / 255.0F;
+  }
+  return result;
 }
 
 void writeImage(const Image& image, ImageFormat format, std::FILE* stream) {

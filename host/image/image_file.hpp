@@ -31,4 +31,7 @@ Image readImage(const std::filesystem::path& file);
 
 std::uint8_t toByte(float value);
 
+// The values that an 8-bit file of the image holds, in 0..1; what is not a number stays so.
+Image asDisplayed(const Image& image);
+
 }  // namespace lavaray

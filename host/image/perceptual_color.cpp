@@ -1,0 +1,56 @@
+#include "image/perceptual_color.hpp"
+
+#include <cmath>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace lavaray {
+namespace {
+
+glm::dvec3 tristimulus(double x, double y) {
+  return {x / y, 1.0, (1.0 - x - y) / y};
+}
+
+// Tristimulus values of a linear colour, each relative to that of white. From the chromaticities of the
+// primaries (ITU-R BT.709) and of D65 (CIE 15), so that (1, 1, 1) becomes (1, 1, 1).
+glm::dmat3 relativeTristimulusFromLinear() {
+  const glm::dvec3 white = tristimulus(0.31271, 0.32902);
+  const glm::dmat3 primaries(tristimulus(0.64, 0.33), tristimulus(0.30, 0.60), tristimulus(0.15, 0.06));
+  const glm::dvec3 strengths = glm::inverse(primaries) * white;
+  glm::dmat3 result;
+  for (int i = 0; i < 3; ++i) result[i] = strengths[i] * primaries[i] / white;
+  return result;
+}
+
+const glm::mat3 kTristimulusFromLinear(relativeTristimulusFromLinear());
+const glm::mat3 kLinearFromTristimulus(glm::inverse(relativeTristimulusFromLinear()));
+
+// The cube root, but a straight line near 0, where the root has no derivative.
+float labRoot(float t) {
+  constexpr float kDelta = 6.0F / 29.0F;
+  return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3.0F * kDelta * kDelta) + 4.0F / 29.0F;
+}
+
+}  // namespace
+
+float linearFromSrgb(float encoded) {
+  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+
+glm::vec3 opponentFromLinear(const glm::vec3& linear) {
+  const glm::vec3 relative = kTristimulusFromLinear * linear;
+  return {relative.y, relative.x - relative.y, relative.y - relative.z};
+}
+
+glm::vec3 linearFromOpponent(const glm::vec3& opponent) {
+  return kLinearFromTristimulus * glm::vec3(opponent.x + opponent.y, opponent.x, opponent.x - opponent.z);
+}
+
+glm::vec3 labFromLinear(const glm::vec3& linear) {
+  const glm::vec3 relative = kTristimulusFromLinear * linear;
+  const glm::vec3 root(labRoot(relative.x), labRoot(relative.y), labRoot(relative.z));
+  return {116.0F * root.y - 16.0F, 500.0F * (root.x - root.y), 200.0F * (root.y - root.z)};
+}
+
+}  // namespace lavaray
