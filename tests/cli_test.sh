@@ -78,6 +78,7 @@ mkdir folder.bmp
 expect 5 'not an ordinary file' "$lavaray" "$scene" -o folder.bmp
 # One block of 512 or 1024 bytes is too little for the picture.
 expect 5 'kept\.bmp: cannot be written' bash -c "ulimit -f 1; '$lavaray' '$scene' $small -o kept.bmp"
+expect 5 'kept\.png: cannot be written' bash -c "ulimit -f 1; '$lavaray' '$scene' -o kept.png"
 holds 'a write error leaves the output alone' grep -qx 'precious' kept.bmp
 holds 'no temporary file is left' test -z "$(find . -name '.*.??????')"
 
@@ -173,6 +174,27 @@ expect 2 '' "$diff" picture.png
 expect 3 'broken\.txt' "$diff" picture.png broken.txt
 printf 'not a picture' >fake.png
 expect 3 'fake\.png' "$diff" fake.png picture.png
+
+# What an image says of itself
+says() { grep -qE "^$1 +$2$" stdout; }
+expect 0 '' "$lavaray" "$scene" $small --spp 4 --seed 7 --crop 10,5,30,20 -o said.png
+expect 0 '' "$diff" --info said.png
+for pair in 'format=PNG' 'size=20 x 15' 'Software=lavaray [0-9.]+' 'Scene=spheres.txt' \
+  'Size=64 x [0-9]+, pixels 10,5 to 30,20' 'Samples per pixel=4' 'Seed=7' 'Device=.+' 'Seconds=[0-9.e-]+'; do
+  holds "--info says $pair" says "${pair%%=*}" "${pair#*=}"
+done
+cp "$scene" "$(printf 'Gem\303\244lde.txt')"
+expect 0 '' "$lavaray" Gem*lde.txt $small -o named.png
+expect 0 '' "$diff" --info named.png
+holds 'a name beyond ASCII is kept' says Scene Gem.*lde.txt
+for format in bmp ppm pfm; do
+  expect 0 '' "$diff" --info picture.$format
+  holds "--info says $format" says format "$(echo $format | tr a-z A-Z)"
+  holds "--info says its size" says size '64 x [0-9]+'
+done
+expect 2 'REFERENCE' "$diff" --info picture.png picture.bmp
+expect 3 'fake\.png' "$diff" --info fake.png
+expect 3 'absent\.png' "$diff" --info absent.png
 
 # An interrupted render ends soon and writes what it has
 "$lavaray" "$scenes/thousand-spheres.txt" --width 4000 -o interrupted.ppm 2>stderr &

@@ -3,6 +3,7 @@
 
 #include "app/interrupt.hpp"
 #include "app/options.hpp"
+#include "app/origin.hpp"
 #include "app/program.hpp"
 #include "app/report.hpp"
 #include "core/errors.hpp"
@@ -24,8 +25,8 @@ class Output {
       format_ = imageFormat(name).value();
     }
   }
-  void write(const Image& image) {
-    writeImage(image, format_, file_ ? file_->stream() : stdout);
+  void write(const Image& image, const TextEntries& origin) {
+    writeImage(image, format_, file_ ? file_->stream() : stdout, origin);
     if (file_) file_->commit();
     if (!file_ && std::fflush(stdout) != 0)
       throw Error(ExitCode::kOutput, "the image cannot be written to stdout");
@@ -74,7 +75,8 @@ ExitCode renderScene(const Options& options, const Scene& scene, StepTimes& time
     normalize(result.image);
     result.image = crop(result.image, part);
   }
-  output.write(result.image);
+  output.write(result.image,
+               describeOrigin(options, settings, result, device.description().name, times.seconds()));
   times.endStep("write image");
   if (options.stats) {
     printStatistics(std::cerr, scene, gpuScene, device, result);

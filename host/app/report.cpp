@@ -51,6 +51,10 @@ void StepTimes::endStep(const std::string& name) {
   last_ = now;
 }
 
+double StepTimes::seconds() const {
+  return std::chrono::duration<double>(last_ - begin_).count();
+}
+
 void StepTimes::print(std::ostream& out) const {
   out << std::fixed << std::setprecision(1) << "time (ms)\n";
   for (const auto& [name, duration] : steps_) {

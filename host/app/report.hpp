@@ -19,6 +19,8 @@ class StepTimes {
   // Ends the step that began with the last call, or with the construction.
   void endStep(const std::string& name);
   void print(std::ostream& out) const;
+  // Up to the end of the last step.
+  [[nodiscard]] double seconds() const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,5 +1,7 @@
 // lavaray-diff: compares two images.
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -22,6 +24,7 @@ struct DiffOptions {
   std::string image;
   std::string reference;
   std::string output;
+  bool info = false;
   std::optional<double> tolerance;  // in 1/255
   std::optional<std::size_t> maxDiffering;
   std::optional<double> maxRmse;
@@ -31,13 +34,13 @@ struct DiffOptions {
 // Nothing where the command line asked for help or the version, which are printed then.
 std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   DiffOptions options;
-  CLI::App app("Compares two images.", "lavaray-diff");
+  CLI::App app("Compares two images, or says what one is.", "lavaray-diff");
   app.set_version_flag("--version", std::string("lavaray-diff ") + kVersion);
   app.footer(
       "Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
       "2 usage, 3 an image cannot be read, 5 output not written, 10 the images differ.");
   app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pfm)")->required();
-  app.add_option("REFERENCE", options.reference, "Image to compare it with")->required();
+  app.add_option("REFERENCE", options.reference, "Image to compare it with");
   app.add_option("--tolerance", options.tolerance, "A channel off by at most T/255 does not differ")
       ->type_name("T")
       ->check(CLI::NonNegativeNumber);
@@ -50,6 +53,11 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("-o,--output", options.output, "Write a picture of the difference, the largest as 1")
       ->type_name("FILE");
+  CLI::Option* info = app.add_flag("--info", options.info, "Print size, format and texts of IMAGE alone");
+  for (const char* other :
+       {"REFERENCE", "--tolerance", "--max-differing", "--max-rmse", "--max-flip", "--output"}) {
+    info->excludes(app.get_option(other));
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -57,6 +65,9 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray-diff --help lists the options");
+  }
+  if (options.reference.empty() && !options.info) {
+    throw Error(ExitCode::kUsage, "REFERENCE is missing; lavaray-diff --help lists the options");
   }
   if (!options.output.empty() && !imageFormat(options.output)) {
     throw Error(ExitCode::kUsage, "--output " + options.output +
@@ -105,12 +116,33 @@ ExitCode diff(const DiffOptions& options) {
   return withinLimits(options, difference, flip) ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
 }
 
+// Without the characters that a terminal takes for commands.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+  return text;
+}
+
+ExitCode info(const std::string& file) {
+  const Image image = readImage(file);  // of each format, and so that a damaged file is found out
+  const ImageFormat format = imageFormat(file).value();
+  const auto print = [](const std::string& name, const std::string& value) {
+    std::cout << std::left << std::setw(18) << printable(name) << ' ' << printable(value) << '\n';
+  };
+  print("format", formatName(format));
+  print("size", std::to_string(image.width) + " x " + std::to_string(image.height));
+  if (format != ImageFormat::kPng) return ExitCode::kSuccess;
+  for (const auto& [keyword, text] : readPngTexts(file)) print(keyword, text);
+  return ExitCode::kSuccess;
+}
+
 }  // namespace
 }  // namespace lavaray
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray-diff", [&] {
     const auto options = lavaray::parseDiffOptions(argc, argv);
-    return options ? lavaray::diff(*options) : lavaray::ExitCode::kSuccess;
+    if (!options) return lavaray::ExitCode::kSuccess;
+    return options->info ? lavaray::info(options->image) : lavaray::diff(*options);
   });
 }

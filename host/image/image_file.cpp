@@ -52,6 +52,20 @@ std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+std::string formatName(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::kBmp:
+      return "BMP";
+    case ImageFormat::kPng:
+      return "PNG";
+    case ImageFormat::kPpm:
+      return "PPM";
+    case ImageFormat::kPfm:
+      break;
+  }
+  return "PFM";
+}
+
 std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
 }
@@ -64,8 +78,12 @@ Image asDisplayed(const Image& image) {
   return result;
 }
 
-void writeImage(const Image& image, ImageFormat format, std::FILE* stream) {
+void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const TextEntries& texts) {
   if (format == ImageFormat::kBmp) checkBmpSize(image);
+  if (format == ImageFormat::kPng) {
+    writePng(image, texts, stream);
+    return;
+  }
   try {
     if (format == ImageFormat::kPfm) {
       planar<float>(image, [](float value) { return value; }).save_pfm(stream);
@@ -73,7 +91,6 @@ void writeImage(const Image& image, ImageFormat format, std::FILE* stream) {
     }
     const CImg<std::uint8_t> bytes = planar<std::uint8_t>(image, toByte);
     if (format == ImageFormat::kBmp) bytes.save_bmp(stream);
-    if (format == ImageFormat::kPng) bytes.save_png(stream, 1);
     if (format == ImageFormat::kPpm) bytes.save_pnm(stream, 1);
   } catch (const cimg_library::CImgException& e) {
     throw Error(ExitCode::kOutput, std::string("the image cannot be written: ") + e.what());

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "image/image.hpp"
+#include "image/png_file.hpp"
 
 namespace lavaray {
 
@@ -22,9 +23,11 @@ inline constexpr const char* kImageFormatNames = ".bmp, .png, .ppm, .pfm";
 // By the ending of the name, whatever its case; nothing for any other ending.
 std::optional<ImageFormat> imageFormat(const std::filesystem::path& file);
 
+std::string formatName(ImageFormat format);
+
 // Throws Error(kOutput) where the image is too large for the format. Whether all was written is for the owner
-// of the stream to check.
-void writeImage(const Image& image, ImageFormat format, std::FILE* stream);
+// of the stream to check. Of the formats only PNG has texts.
+void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const TextEntries& texts = {});
 
 // Throws Error(kInput) where the file cannot be read as its ending says. 8-bit values v become v / 255.
 Image readImage(const std::filesystem::path& file);

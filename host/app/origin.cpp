@@ -1,0 +1,40 @@
+#include "app/origin.hpp"
+
+#include <sstream>
+
+#include "app/version.hpp"
+
+namespace lavaray {
+namespace {
+
+std::string describe(const ImageSize& size, const std::optional<Rectangle>& crop) {
+  std::ostringstream text;
+  text << size.width << " x " << size.height;
+  if (crop) text << ", pixels " << crop->x0 << ',' << crop->y0 << " to " << crop->x1 << ',' << crop->y1;
+  return text.str();
+}
+
+std::string describe(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+}  // namespace
+
+TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const RenderResult& result,
+                           const std::string& device, double seconds) {
+  const double pixels = static_cast<double>(settings.crop.x1 - settings.crop.x0) *
+                        static_cast<double>(settings.crop.y1 - settings.crop.y0);
+  return {
+      {"Software", std::string("lavaray ") + kVersion},
+      {"Scene", options.scene.filename().string()},  // without the folders of who made it
+      {"Size", describe(settings.size, options.crop)},
+      // In the mean; a render to a target error, or one that was stopped, takes them where they help most.
+      {"Samples per pixel", describe(static_cast<double>(result.counts.samples) / pixels)},
+      {"Seed", std::to_string(settings.seed)},
+      {"Device", device},
+      {"Seconds", describe(seconds)}};
+}
+
+}  // namespace lavaray

@@ -1,0 +1,118 @@
+#include "image/png_file.hpp"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+#include "core/errors.hpp"
+#include "image/image_file.hpp"
+
+namespace lavaray {
+namespace {
+
+struct Writer {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+struct Reader {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void onWarning(png_structp /*png*/, png_const_charp /*message*/) {}
+
+void onError(png_structp png, png_const_charp message) {
+  *static_cast<std::string*>(png_get_error_ptr(png)) = message;
+  png_longjmp(png, 1);
+}
+
+// Returns false where libpng found an error, which leaves `body` by longjmp: nothing that has a destructor
+// may live in it.
+template <typename Body>
+bool succeeds(png_structp png, const Body& body) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  body();
+  return true;
+}
+
+bool isAscii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x80; });
+}
+
+// Points into the entries.
+std::vector<png_text> pngTexts(const TextEntries& entries) {
+  std::vector<png_text> texts;
+  for (const auto& [keyword, text] : entries) {
+    png_text entry{};
+    entry.compression = isAscii(text) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    entry.key = const_cast<png_charp>(keyword.c_str());  // libpng copies both
+    entry.text = const_cast<png_charp>(text.c_str());
+    texts.push_back(entry);
+  }
+  return texts;
+}
+
+}  // namespace
+
+void writePng(const Image& image, const TextEntries& entries, std::FILE* stream) {
+  std::string message = "libpng cannot be started";
+  Writer writer;
+  writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, onError, onWarning);
+  if (writer.png != nullptr) writer.info = png_create_info_struct(writer.png);
+  if (writer.info == nullptr) throw Error(ExitCode::kOutput, "the image cannot be written: " + message);
+
+  const std::vector<png_text> texts = pngTexts(entries);
+  std::vector<std::uint8_t> row(std::size_t{3} * image.width);
+  const bool written = succeeds(writer.png, [&] {
+    png_init_io(writer.png, stream);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
+                 static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(writer.png, writer.info);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+      std::transform(&image.rgb[y * row.size()], &image.rgb[y * row.size()] + row.size(), row.begin(),
+                     toByte);
+      png_write_row(writer.png, row.data());
+    }
+    png_write_end(writer.png, writer.info);
+  });
+  if (!written && std::ferror(stream) == 0) {
+    throw Error(ExitCode::kOutput, "the image cannot be written: " + message);
+  }
+}
+
+TextEntries readPngTexts(const std::filesystem::path& file) {
+  const auto fail = [&](const std::string& why) {
+    return Error(ExitCode::kInput, file.string() + ": " + why);
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (!stream) throw fail(std::strerror(errno));
+  std::string message = "libpng cannot be started";
+  Reader reader;
+  reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, onError, onWarning);
+  if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
+  const bool read = reader.info != nullptr && succeeds(reader.png, [&] {
+                      png_init_io(reader.png, stream.get());
+                      png_read_info(reader.png, reader.info);
+                    });
+  if (!read) throw fail("cannot be read as PNG: " + message);
+
+  png_textp texts = nullptr;
+  const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
+  TextEntries entries;
+  for (int i = 0; i < count; ++i) {
+    entries.emplace_back(texts[i].key, texts[i].text == nullptr ? "" : texts[i].text);
+  }
+  return entries;
+}
+
+}  // namespace lavaray
