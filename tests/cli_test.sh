@@ -99,6 +99,33 @@ expect 0 'device: ' "$lavaray" -v "$scene" $small -o verbose.png
 expect 0 'SAH cost' "$lavaray" --stats "$scene" $small -o stats.png
 expect 0 'spheres +[1-9]' "$lavaray" --check "$scene" -o unwritten.png
 holds '--check writes no picture' test ! -e unwritten.png
+
+# Statistics as JSON
+expect 0 '' "$lavaray" "$scene" $small --spp 4 --json stats.json --stats -o stats.png
+holds '--json writes JSON' python3 -m json.tool stats.json
+# json_has TEXT EXPRESSION: what Python makes of the expression, in which s is the object, is true.
+json_has() {
+  holds "--json: $1" python3 -c "import json, sys; s = json.load(open('stats.json')); sys.exit(not ($1))"
+}
+json_has "set(s) == set('schema lavaray scene bvh rays sampling device memory steps seconds'.split())"
+json_has "s['schema'] == 1 and s['scene']['spheres'] == $(grep -cx sphere "$scene")"
+json_has "s['sampling'] == dict(stopped='finished', samplesPerPixel=4, mostSamplesPerPixel=4, estimatedRmse=None)"
+json_has "s['rays']['camera'] == $(awk '$1 == "camera" { print $2 }' stderr) and s['rays']['mirror'] == 0"
+json_has "s['rays']['shadow'] == $(awk '$1 == "shadow" { print $2 }' stderr) > 0"
+json_has "s['bvh']['primitives'] > 0 and s['device']['name'] and s['memory']['peakBytes'] > 1e6"
+json_has "abs(sum(step['seconds'] for step in s['steps']) - s['seconds']) < 1e-6 < s['seconds']"
+expect 0 '' "$lavaray" "$scene" $small --target-error 0.05 --json stats.json -o stats.png
+json_has "0 < s['sampling']['estimatedRmse'] <= 0.05"
+expect 0 '' "$lavaray" "$scene" $small --spp 4 --crop 10,5,30,20 --normalize --json stats.json -o stats.ppm
+json_has "s['sampling']['samplesPerPixel'] == 4"
+holds 'a stretched crop has its own size' grep -aqx '20 15' <(head -c 20 stats.ppm)
+printf 'precious\n' >kept.json
+expect 5 'cannot be written' "$lavaray" "$scene" $small --json no-such-folder/stats.json -o unwritten.png
+holds 'no picture where the statistics cannot be written' test ! -e unwritten.png
+expect 3 'no-such-scene' "$lavaray" no-such-scene.txt --json kept.json -o unwritten.png
+holds 'a scene error leaves the statistics alone' grep -qx 'precious' kept.json
+expect 2 'check' "$lavaray" "$scene" --check --json stats.json
+
 ln -s target.png link.png
 printf 'old' >target.png
 expect 0 '' "$lavaray" "$scene" $small -o link.png

@@ -1,7 +1,9 @@
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/interrupt.hpp"
+#include "app/json_report.hpp"
 #include "app/options.hpp"
 #include "app/origin.hpp"
 #include "app/program.hpp"
@@ -51,7 +53,7 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   settings.maxSamples = options.maxSamples;
   settings.timeLimitSeconds = options.timeLimitSeconds;
   settings.view = options.view;
-  settings.countRays = options.stats;
+  settings.countRays = options.stats || !options.json.empty();
   return settings;
 }
 
@@ -61,6 +63,8 @@ ExitCode renderScene(const Options& options, const Scene& scene, StepTimes& time
   const Rectangle part = outputCrop(options, size);
   const RenderSettings settings = renderSettings(options, size, part);
   Output output(options.output);
+  std::optional<OutputFile> json;
+  if (!options.json.empty()) json.emplace(options.json);
 
   const GpuScene gpuScene = flatten(scene, hardwareThreads());
   times.endStep("build");
@@ -71,16 +75,22 @@ ExitCode renderScene(const Options& options, const Scene& scene, StepTimes& time
   RenderResult result = render(device, gpuScene, scene.camera, settings, interrupted);
   times.endStep("render");
 
+  const TextEntries origin =
+      describeOrigin(options, settings, result, device.description().name, times.seconds());
   if (options.normalize) {
     normalize(result.image);
-    result.image = crop(result.image, part);
+    output.write(crop(result.image, part), origin);
+  } else {
+    output.write(result.image, origin);
   }
-  output.write(result.image,
-               describeOrigin(options, settings, result, device.description().name, times.seconds()));
   times.endStep("write image");
   if (options.stats) {
     printStatistics(std::cerr, scene, gpuScene, device, result);
     times.print(std::cerr);
+  }
+  if (json) {
+    writeJsonStatistics(json->stream(), scene, gpuScene, device, result, times);
+    json->commit();
   }
   if (result.stopReason == StopReason::kInterrupted) {
     const std::string name = options.output == "-" ? "stdout" : options.output;

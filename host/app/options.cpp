@@ -106,9 +106,12 @@ void addOtherOptions(CLI::App& app, Options& options) {
          "Vulkan device, by number or part of its name. Default: the best one (discrete, integrated, CPU)")
       ->type_name("N or NAME");
   app.add_flag("--list-devices", options.listDevices, "List the Vulkan devices and exit");
-  app.add_flag("--check", options.check,
-               "Read the scene and its meshes, say what is in them, render nothing");
+  CLI::Option* check = app.add_flag("--check", options.check,
+                                    "Read the scene and its meshes, say what is in them, render nothing");
   app.add_flag("--stats", options.stats, "Say where time and memory went, and what was done");
+  app.add_option("--json", options.json, "Write what --stats says to FILE, as JSON")
+      ->type_name("FILE")
+      ->excludes(check);
   app.add_flag("--validate", options.validate,
                "Run under the Khronos validation layer; its messages make the exit code 1");
   CLI::Option* quiet = app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");

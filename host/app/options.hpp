@@ -35,6 +35,7 @@ struct Options {
   bool check = false;
   bool validate = false;
   bool stats = false;
+  std::string json;  // a path, or empty
   bool quiet = false;
   bool verbose = false;
 };

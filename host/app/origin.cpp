@@ -24,8 +24,7 @@ std::string describe(double number) {
 
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const RenderResult& result,
                            const std::string& device, double seconds) {
-  const double pixels = static_cast<double>(settings.crop.x1 - settings.crop.x0) *
-                        static_cast<double>(settings.crop.y1 - settings.crop.y0);
+  const double pixels = static_cast<double>(result.image.width) * result.image.height;
   return {
       {"Software", std::string("lavaray ") + kVersion},
       {"Scene", options.scene.filename().string()},  // without the folders of who made it

@@ -13,12 +13,6 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-std::size_t meshTriangles(const Scene& scene) {
-  std::size_t count = 0;
-  for (const MeshObject& object : scene.meshObjects) count += scene.meshes[object.mesh].triangles.size();
-  return count;
-}
-
 double mebibytes(std::size_t bytes) {
   return static_cast<double>(bytes) / (1U << 20U);
 }
@@ -35,12 +29,6 @@ const char* describe(StopReason reason) {
       break;
   }
   return "finished";
-}
-
-long peakMemoryKilobytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;
 }
 
 }  // namespace
@@ -79,6 +67,18 @@ void printScene(std::ostream& out, const Scene& scene) {
   }
 }
 
+std::size_t meshTriangles(const Scene& scene) {
+  std::size_t count = 0;
+  for (const MeshObject& object : scene.meshObjects) count += scene.meshes[object.mesh].triangles.size();
+  return count;
+}
+
+std::size_t peakMemoryBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::size_t{1024} * static_cast<std::size_t>(usage.ru_maxrss);
+}
+
 void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices) {
   for (std::size_t i = 0; i < devices.size(); ++i) {
     out << i << ": " << devices[i].name << " (" << devices[i].kind << ", " << devices[i].driver << ')'
@@ -108,7 +108,7 @@ void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuS
   out << "device\n  name            " << device.description().name << "\n  driver          "
       << device.description().driver << "\n  buffers         " << mebibytes(result.deviceBytes)
       << " MiB\n  dispatches      " << result.counts.dispatches << "\nmemory\n  process, peak   "
-      << static_cast<double>(peakMemoryKilobytes()) / 1024.0 << " MiB\n";
+      << mebibytes(peakMemoryBytes()) << " MiB\n";
 }
 
 }  // namespace lavaray

@@ -19,20 +19,27 @@ class StepTimes {
   // Ends the step that began with the last call, or with the construction.
   void endStep(const std::string& name);
   void print(std::ostream& out) const;
+  using Clock = std::chrono::steady_clock;
+  using Step = std::pair<std::string, Clock::duration>;
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   // Up to the end of the last step.
   [[nodiscard]] double seconds() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_ = begin_;
-  std::vector<std::pair<std::string, Clock::duration>> steps_;
+  std::vector<Step> steps_;
 };
 
 // What is in the scene: --check.
 void printScene(std::ostream& out, const Scene& scene);
 
 void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices);
+
+std::size_t meshTriangles(const Scene& scene);
+
+// Of this process, so far.
+std::size_t peakMemoryBytes();
 
 // Everything of --stats but the times.
 void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuScene,

@@ -1,0 +1,109 @@
+#include "app/json_report.hpp"
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/version.hpp"
+#include "core/camera.hpp"
+
+namespace lavaray {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Raised by whoever removes or renames an entry, or changes its meaning.
+constexpr int kSchema = 1;
+
+const char* name(StopReason reason) {
+  switch (reason) {
+    case StopReason::kMaxSamples:
+      return "maxSamples";
+    case StopReason::kTimeLimit:
+      return "timeLimit";
+    case StopReason::kInterrupted:
+      return "interrupted";
+    case StopReason::kFinished:
+      break;
+  }
+  return "finished";
+}
+
+Json sceneJson(const Scene& scene) {
+  Json files = Json::array();
+  for (const Mesh& mesh : scene.meshes) {
+    files.push_back({{"file", mesh.file.string()},
+                     {"triangles", mesh.triangles.size()},
+                     {"vertices", mesh.positions.size()},
+                     {"normals", mesh.normals.size()},
+                     {"degenerateTriangles", mesh.degenerateTriangles}});
+  }
+  const ImageSize size = imageSize(scene.camera).value();
+  return {{"file", scene.file.string()},
+          {"width", size.width},
+          {"height", size.height},
+          {"planes", scene.planes.size()},
+          {"spheres", scene.spheres.size()},
+          {"triangles", scene.triangles.size()},
+          {"meshes", scene.meshObjects.size()},
+          {"meshTriangles", meshTriangles(scene)},
+          {"lights", scene.lights.size()},
+          {"meshFiles", files}};
+}
+
+Json bvhJson(const GpuScene& scene) {
+  const BvhQuality& bvh = scene.bvhQuality;
+  return {{"primitives", scene.primitives.size()}, {"droppedDuplicates", scene.droppedDuplicates},
+          {"innerNodes", bvh.innerNodes},          {"leaves", bvh.leaves},
+          {"primitivesPerLeaf", bvh.leafSize},     {"depth", bvh.depth},
+          {"mostDepth", gpu::kMaxBvhDepth},        {"sahCost", bvh.sahCost}};
+}
+
+Json samplingJson(const RenderResult& result) {
+  const double pixels = static_cast<double>(result.image.width) * result.image.height;
+  return {{"stopped", name(result.stopReason)},
+          {"samplesPerPixel", static_cast<double>(result.counts.samples) / pixels},
+          {"mostSamplesPerPixel", result.mostSamples},
+          {"estimatedRmse", result.estimatedError > 0.0 ? Json(result.estimatedError) : Json()}};
+}
+
+Json deviceJson(const vulkan::Device& device, const RenderResult& result) {
+  const vulkan::DeviceDescription& description = device.description();
+  return {{"name", description.name},
+          {"kind", description.kind},
+          {"driver", description.driver},
+          {"bufferBytes", result.deviceBytes},
+          {"dispatches", result.counts.dispatches}};
+}
+
+Json timesJson(const StepTimes& times) {
+  Json steps = Json::array();
+  for (const auto& [step, seconds] : times.steps()) {
+    steps.push_back({{"step", step}, {"seconds", std::chrono::duration<double>(seconds).count()}});
+  }
+  return steps;
+}
+
+}  // namespace
+
+void writeJsonStatistics(std::FILE* stream, const Scene& scene, const GpuScene& gpuScene,
+                         const vulkan::Device& device, const RenderResult& result, const StepTimes& times) {
+  const Json report = {{"schema", kSchema},
+                       {"lavaray", kVersion},
+                       {"scene", sceneJson(scene)},
+                       {"bvh", bvhJson(gpuScene)},
+                       {"rays",
+                        {{"camera", result.counts.samples},
+                         {"mirror", result.counts.mirrorRays},
+                         {"shadow", result.counts.shadowRays}}},
+                       {"sampling", samplingJson(result)},
+                       {"device", deviceJson(device, result)},
+                       {"memory", {{"peakBytes", peakMemoryBytes()}}},
+                       {"steps", timesJson(times)},
+                       {"seconds", times.seconds()}};
+  // A file's name need not be UTF-8, which JSON must be.
+  const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+}  // namespace lavaray
