@@ -213,10 +213,15 @@ LAVARAY_SIZE(WorkState, 48);
 struct DispatchStatus {
   uint unfinished;  // work items that need another dispatch
   uint stuck;       // of them, those that got no further in this one
-  uint shadowRays;  // these two are counted where kSpecCountRays is set
+  // These are counted where kSpecCountRays is set.
+  uint shadowRays;
   uint mirrorRays;
+  uint skippedShadowRays;  // their light would add nothing, or nothing that shows
+  uint padding0;
+  uint padding1;
+  uint padding2;
 };
-LAVARAY_SIZE(DispatchStatus, 16);
+LAVARAY_SIZE(DispatchStatus, 32);
 
 // Push constants.
 struct DispatchConstants {

@@ -18,6 +18,7 @@ struct PathState {
 struct RayCounts {
   uint shadow;
   uint mirror;
+  uint skippedShadow;
 };
 
 struct PathSettings {
@@ -39,20 +40,26 @@ uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 
   return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
 }
 
-// The light's term: the mean over the directions of a spherical light. Returns false where the device ended the
+// The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns false where the device ended the
 // search for shadows.
 bool lightTerm(Light light, SurfacePoint point, uint surface, Material material, vec3 toViewer,
-               PathSettings settings, uint seed, uint lightDirections, inout RayCounts counts, out vec3 term) {
+               PathSettings settings, uint seed, uint lightDirections, bool showsAny, inout RayCounts counts, out vec3 term) {
   const uint directions = light.radius > 0.0 ? lightDirections : 1u;
   term = vec3(0.0);
   bool finished;
   uint i = 0u;
   do {
     const LightSample s = sampleLight(light, point.position, settings.index * directions + i, seed);
-    bool blocked;
-    finished = findShadow(point, surface, s.target, blocked);
-    ++counts.shadow;
-    if (!blocked) term += phong(material, light, point.shadingNormal, s.toLight, toViewer);
+    const vec3 unblocked = phong(material, light, point.shadingNormal, s.toLight, toViewer);
+    bool blocked = false;
+    finished = true;
+    if (showsAny && maxComponent(unblocked) > 0.0) {
+      finished = findShadow(point, surface, s.target, blocked);
+      ++counts.shadow;
+    } else {
+      ++counts.skippedShadow;
+    }
+    if (!blocked) term += unblocked;
     ++i;
   } while (kHasSphericalLights && finished && i < directions);
   if (kHasSphericalLights) term /= float(directions);
@@ -77,7 +84,11 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
     const uint use = 1u + state.bounce * kLightCount + i;
     const uint seed = hashCombine(settings.seed, use);
     vec3 term;
-    if (!lightTerm(light, point, surface, material, toViewer, settings, seed, directions, counts, term)) return false;
+    // A sample that is white in all channels stays so: what is added is not negative.
+    const bool showsAny = minComponent(state.color) < 1.0;
+    if (!lightTerm(light, point, surface, material, toViewer, settings, seed, directions, showsAny, counts, term)) {
+      return false;
+    }
     state.color += weight * term;
   }
   return state.step > kLightCount;

@@ -86,11 +86,12 @@ void main() {
     if (constants.pass == kPassResumed) state = states[index];
   }
   const WorkState before = state;
-  RayCounts counts = RayCounts(0u, 0u);
+  RayCounts counts = RayCounts(0u, 0u, 0u);
   const bool finished = takeSamples(workItem(index), state, counts);
   if (kCountRays) {
     atomicAdd(status.shadowRays, counts.shadow);
     atomicAdd(status.mirrorRays, counts.mirror);
+    atomicAdd(status.skippedShadowRays, counts.skippedShadow);
   }
   if (!finished) {
     atomicAdd(status.unfinished, 1u);

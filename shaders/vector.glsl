@@ -5,6 +5,7 @@
 const float kInfinity = 1.0 / 0.0;
 
 float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float minComponent(vec3 v) { return min(v.x, min(v.y, v.z)); }
 
 // v at unit length; the zero vector stays zero. The built-in normalize loses vectors shorter than 1e-19 or
 // longer than 1e19, whose squared length is not a float; here the largest component is 1 before the squaring.

@@ -1,3 +1,4 @@
+#include <future>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -57,7 +58,17 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   return settings;
 }
 
-ExitCode renderScene(const Options& options, const Scene& scene, StepTimes& times) {
+struct OpenDevice {
+  explicit OpenDevice(const Options& options)
+      : instance(options.validate), device(vulkan::chooseDevice(instance, options.device)) {}
+  vulkan::Instance instance;
+  vulkan::Device device;
+};
+
+using FutureDevice = std::future<std::unique_ptr<OpenDevice>>;
+
+ExitCode renderScene(const Options& options, const Scene& scene, FutureDevice futureDevice,
+                     StepTimes& times) {
   const std::atomic<bool>& interrupted = catchInterrupts();
   const ImageSize size = outputSize(options, imageSize(scene.camera).value());
   const Rectangle part = outputCrop(options, size);
@@ -68,10 +79,10 @@ ExitCode renderScene(const Options& options, const Scene& scene, StepTimes& time
 
   const GpuScene gpuScene = flatten(scene, hardwareThreads());
   times.endStep("build");
-  const vulkan::Instance instance(options.validate);
-  vulkan::Device device(vulkan::chooseDevice(instance, options.device));
+  const std::unique_ptr<OpenDevice> open = futureDevice.get();
+  vulkan::Device& device = open->device;
   if (options.verbose) std::cerr << "device: " << device.description().name << '\n';
-  times.endStep("open device");
+  times.endStep("wait for device");
   RenderResult result = render(device, gpuScene, scene.camera, settings, interrupted);
   times.endStep("render");
 
@@ -98,7 +109,7 @@ ExitCode renderScene(const Options& options, const Scene& scene, StepTimes& time
                 "interrupted; " + name + " holds what was rendered, the rest is black");
   }
   if (options.verbose) std::cerr << "wrote " << options.output << '\n';
-  return instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
+  return open->instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
 }
 
 ExitCode run(const Options& options) {
@@ -107,6 +118,11 @@ ExitCode run(const Options& options) {
     return ExitCode::kSuccess;
   }
   StepTimes times;
+  // Drivers take longer to start than most scenes to read.
+  FutureDevice device;
+  if (!options.check) {
+    device = std::async(std::launch::async, [&] { return std::make_unique<OpenDevice>(options); });
+  }
   Scene scene = readScene(options.scene);
   applyDefaults(options, scene);
   times.endStep("read scene");
@@ -115,7 +131,7 @@ ExitCode run(const Options& options) {
     printScene(std::cerr, scene);
     return ExitCode::kSuccess;
   }
-  return renderScene(options, scene, times);
+  return renderScene(options, scene, std::move(device), times);
 }
 
 }  // namespace

@@ -24,4 +24,7 @@ struct Rectangle {
 // The part of the image inside the rectangle, which lies within it.
 Image crop(const Image& image, const Rectangle& part);
 
+// Puts `part` into the image, its first pixel at column x of row y; it lies within.
+void paste(const Image& part, int x, int y, Image& image);
+
 }  // namespace lavaray

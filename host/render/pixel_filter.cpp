@@ -45,6 +45,10 @@ std::optional<PixelFilter> pixelFilter(const std::string& name) {
   return std::nullopt;
 }
 
+double filterReach(PixelFilter filter) {
+  return shapeOf(filter).radius;
+}
+
 std::vector<float> filterTable(PixelFilter filter) {
   if (filter == PixelFilter::kBox) return {};
   const Shape shape = shapeOf(filter);

@@ -18,6 +18,9 @@ inline constexpr const char* kPixelFilterNames = "box, tent, gaussian, blackman-
 
 std::optional<PixelFilter> pixelFilter(const std::string& name);
 
+// The farthest offset from the pixel's centre, in pixels.
+double filterReach(PixelFilter filter);
+
 // The inverse of the filter's distribution function in one dimension: entry i is the offset from the centre,
 // in pixels, that a share i / (size - 1) of the filter lies below. Empty for the box, whose inverse is
 // linear.

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "render/adaptive.hpp"
+#include "render/covered_part.hpp"
 #include "render/pixel_sum.hpp"
 #include "render/small_objects.hpp"
 
@@ -163,7 +164,24 @@ class Render {
 
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
                     const RenderSettings& settings, const std::atomic<bool>& interrupted) {
-  return Render(device, scene, camera, settings, interrupted).run();
+  // The plan for a target error and the other views are about all pixels.
+  if (settings.targetError || settings.view != View::kColor || !settings.specialized) {
+    return Render(device, scene, camera, settings, interrupted).run();
+  }
+  const Rectangle& crop = settings.crop;
+  RenderSettings part = settings;
+  part.crop = coveredPart(scene, camera, settings);
+  RenderResult result;
+  if (part.crop.x0 < part.crop.x1 && part.crop.y0 < part.crop.y1) {
+    result = Render(device, scene, camera, part, interrupted).run();
+  }
+  Image whole{crop.x1 - crop.x0, crop.y1 - crop.y0, {}};
+  if (whole.width == result.image.width && whole.height == result.image.height) return result;
+  whole.rgb.resize(std::size_t{3} * whole.width * whole.height);
+  paste(result.image, part.crop.x0 - crop.x0, part.crop.y0 - crop.y0, whole);
+  result.skippedPixels = (whole.rgb.size() - result.image.rgb.size()) / 3;
+  result.image = std::move(whole);
+  return result;
 }
 
 }  // namespace lavaray

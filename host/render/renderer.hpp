@@ -20,8 +20,9 @@ enum class StopReason {
 struct RenderResult {
   Image image;  // of the crop's size; black where no sample was taken
   StopReason stopReason = StopReason::kFinished;
-  double estimatedError = 0.0;    // RMSE, where there was a target
-  std::uint32_t mostSamples = 1;  // of a pixel
+  double estimatedError = 0.0;      // RMSE, where there was a target
+  std::uint32_t mostSamples = 1;    // of a pixel
+  std::uint64_t skippedPixels = 0;  // known to be black without a sample
   TraceCounts counts;
   std::size_t deviceBytes = 0;
 };

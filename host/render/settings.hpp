@@ -39,6 +39,8 @@ struct RenderSettings {
   std::optional<double> timeLimitSeconds;
   View view = View::kColor;
   bool countRays = false;
+  // Without it the pipeline holds the code for all that any scene may have; for comparison.
+  bool specialized = true;
 };
 
 }  // namespace lavaray

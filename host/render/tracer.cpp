@@ -43,6 +43,13 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
                                : settings.sampler == Sampler::kSobol ? gpu::kSamplingSobol
                                                                      : gpu::kSamplingRandom;
   values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
+  if (!settings.specialized) {
+    for (const gpu::uint feature : {gpu::kSpecHasSpheres, gpu::kSpecHasTriangles, gpu::kSpecHasCornerNormals,
+                                    gpu::kSpecHasMirrors, gpu::kSpecHasSphericalLights}) {
+      values[feature] = 1;
+    }
+    values[gpu::kSpecStackSize] = gpu::kMaxBvhDepth;
+  }
   return values;
 }
 
@@ -73,7 +80,8 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
   const std::uint64_t directions = scene.hasSphericalLights ? gpu::kClampedLightDirections : 1;
   const std::uint64_t shadowRays =
       std::uint64_t{gpu::kMaxSamplesPerItem} * directions * scene.lights.size() * (1 + constants_.maxDepth);
-  if (shadowRays <= gpu::kMaxShadowRaysPerDispatch) direct_.emplace(makeShader(false));
+  if (settings.specialized && shadowRays <= gpu::kMaxShadowRaysPerDispatch)
+    direct_.emplace(makeShader(false));
 }
 
 std::size_t Tracer::deviceBytes() const {
@@ -132,6 +140,7 @@ gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_
   ++counts_.dispatches;
   counts_.shadowRays += status->shadowRays;
   counts_.mirrorRays += status->mirrorRays;
+  counts_.skippedShadowRays += status->skippedShadowRays;
   return *status;
 }
 

@@ -13,8 +13,10 @@ namespace lavaray {
 
 struct TraceCounts {
   std::uint64_t dispatches = 0;
-  std::uint64_t samples = 0;     // camera rays
-  std::uint64_t shadowRays = 0;  // these two are counted where the settings ask for it
+  std::uint64_t samples = 0;  // camera rays
+  // These are counted where the settings ask for it.
+  std::uint64_t shadowRays = 0;
+  std::uint64_t skippedShadowRays = 0;  // their light would add nothing, or nothing that shows
   std::uint64_t mirrorRays = 0;
 };
 

@@ -95,6 +95,7 @@ TEST(Layout, IsTheSameOnHostAndDevice) {
   EXPECT_EQ(shared->statuses[1].stuck, 6U);
   EXPECT_EQ(shared->statuses[1].shadowRays, 7U);
   EXPECT_EQ(shared->statuses[1].mirrorRays, 8U);
+  EXPECT_EQ(shared->statuses[1].skippedShadowRays, 9U);
 }
 
 TEST(Buffer, OverTheDevicesReachNamesTheNumberAndTheLimit) {

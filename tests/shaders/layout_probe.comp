@@ -66,5 +66,5 @@ void main() {
   put(state.sum, end); put(state.taken, end); put(state.color, end); put(state.bounce, end);
   put(state.step, end); put(state.squares, end); put(state.padding0, end); put(state.padding1, end);
   results[1] = WorkResult(vec3(1.0, 2.0, 3.0), 4.0);
-  statuses[1] = DispatchStatus(5u, 6u, 7u, 8u);
+  statuses[1] = DispatchStatus(5u, 6u, 7u, 8u, 9u, 10u, 11u, 12u);
 }

@@ -1,0 +1,53 @@
+#include "render/covered_part.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+#include "core/wide_bvh.hpp"
+#include "render/pixel_filter.hpp"
+#include "render/projection.hpp"
+
+namespace lavaray {
+namespace {
+
+// How far a ray may pass by a box that it hits nonetheless, as the shader rounds; far more than it does.
+constexpr double kRoundingPixels = 0.5;
+// Levels of the hierarchy to go down: the boxes there are smaller, and what lies behind the camera is apart
+// from what lies before it.
+constexpr int kLevels = 4;
+
+// Extends `bounds` by the images of the boxes below the node; false where one is not in front of the camera.
+bool extendBelow(const GpuScene& scene, gpu::uint index, int levels, const Camera& camera,
+                 const ImageSize& size, PixelBounds& bounds) {
+  const gpu::BvhNode& node = scene.nodes[index];
+  for (int i = 0; i < static_cast<int>(gpu::kNodeWidth); ++i) {
+    const Box box = childBox(node, i);
+    // A child that is not there, or one behind the camera, which nothing sees directly.
+    if (box.lower.x > box.upper.x || box.lower.z > 0.0F) continue;
+    if (node.children[i] <= gpu::kMaxReference && levels > 0) {
+      if (!extendBelow(scene, node.children[i], levels - 1, camera, size, bounds)) return false;
+      continue;
+    }
+    if (!(box.upper.z < 0.0F)) return false;
+    const PixelBounds image = project(box, camera, size);
+    bounds.lower = glm::min(bounds.lower, image.lower);
+    bounds.upper = glm::max(bounds.upper, image.upper);
+  }
+  return true;
+}
+
+}  // namespace
+
+Rectangle coveredPart(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
+  if (!scene.planes.empty()) return settings.crop;
+  PixelBounds bounds{glm::dvec2(INFINITY), glm::dvec2(-INFINITY)};
+  if (!scene.nodes.empty() && !extendBelow(scene, 0, kLevels, camera, settings.size, bounds))
+    return settings.crop;
+  const double reach = filterReach(settings.filter) + kRoundingPixels;
+  bounds.lower -= reach;
+  bounds.upper += reach;
+  return pixelsIn(bounds, settings.crop);
+}
+
+}  // namespace lavaray

@@ -1,0 +1,44 @@
+#include "render/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+
+namespace lavaray {
+namespace {
+
+// Whole numbers from floor(lower) to floor(upper) within [first, end).
+std::pair<int, int> pixelRange(double lower, double upper, int first, int end) {
+  const double from = std::clamp(std::floor(lower), double(first), double(end));
+  const double to = std::clamp(std::floor(upper) + 1.0, from, double(end));
+  return {static_cast<int>(from), static_cast<int>(to)};
+}
+
+}  // namespace
+
+PixelBounds project(const Box& box, const Camera& camera, const ImageSize& size) {
+  const ImageSize plane = imageSize(camera).value();
+  const glm::dvec2 half(plane.width / 2.0, plane.height / 2.0);
+  const glm::dvec2 scale(static_cast<double>(size.width) / plane.width,
+                         static_cast<double>(size.height) / plane.height);
+  PixelBounds bounds{glm::dvec2(INFINITY), glm::dvec2(-INFINITY)};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p((corner & 1) != 0 ? box.upper.x : box.lower.x,
+                       (corner & 2) != 0 ? box.upper.y : box.lower.y,
+                       (corner & 4) != 0 ? box.upper.z : box.lower.z);
+    const glm::dvec2 onPlane = glm::dvec2(p.x, -p.y) * (camera.focalLength / -p.z) + half;
+    bounds.lower = glm::min(bounds.lower, onPlane * scale);
+    bounds.upper = glm::max(bounds.upper, onPlane * scale);
+  }
+  return bounds;
+}
+
+Rectangle pixelsIn(const PixelBounds& bounds, const Rectangle& part) {
+  const auto [x0, x1] = pixelRange(bounds.lower.x, bounds.upper.x, part.x0, part.x1);
+  const auto [y0, y1] = pixelRange(bounds.lower.y, bounds.upper.y, part.y0, part.y1);
+  return {x0, y0, x1, y1};
+}
+
+}  // namespace lavaray

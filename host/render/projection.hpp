@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "core/box.hpp"
+#include "core/camera.hpp"
+#include "image/image.hpp"
+
+namespace lavaray {
+
+struct PixelBounds {
+  glm::dvec2 lower;
+  glm::dvec2 upper;
+};
+
+// Bounds of the image of a box, in pixels of an image of that size from its top left corner. The box is in
+// the camera's coordinates and lies in front of it: box.upper.z < 0.
+PixelBounds project(const Box& box, const Camera& camera, const ImageSize& size);
+
+// The pixels of `part` that have a point in the bounds; empty (x0 == x1 or y0 == y1) where none has.
+Rectangle pixelsIn(const PixelBounds& bounds, const Rectangle& part);
+
+}  // namespace lavaray

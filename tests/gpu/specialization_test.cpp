@@ -1,0 +1,91 @@
+// What a scene does not need is skipped: code in the pipeline, shadow rays, pixels. That must not change a
+// bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "core/scene_reader.hpp"
+#include "gpu/render_scene.hpp"
+#include "image_compare.hpp"
+
+namespace lavaray {
+namespace {
+
+std::vector<std::filesystem::path> allScenes() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(LAVARAY_SCENES_DIR)) {
+    if (entry.path().extension() == ".txt") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void expectSameBits(const Scene& scene, RenderSettings settings, const std::string& what) {
+  const Image specialized = renderScene(scene, settings).image;
+  settings.specialized = false;
+  EXPECT_EQ(specialized.rgb, renderScene(scene, settings).image.rgb) << what;
+}
+
+TEST(Specialization, ChangesNoBitOfAnyScene) {
+  const std::vector<std::filesystem::path> files = allScenes();
+  ASSERT_GE(files.size(), 17U);
+  for (const std::filesystem::path& file : files) {
+    const Scene scene = readScene(file);
+    RenderSettings settings;
+    settings.size = reducedSize(scene.camera, 64);
+    settings.crop = {0, 0, settings.size.width, settings.size.height};
+    expectSameBits(scene, settings, file.filename().string() + ", pixels' centres");
+    settings.samples = 2;
+    settings.filter = PixelFilter::kGaussian;
+    expectSameBits(scene, settings, file.filename().string() + ", 2 samples");
+  }
+  std::cout << files.size() << " scenes are the same, bit for bit\n";
+}
+
+// A ball in a corner of the image: what lies outside its rectangle is never dispatched, and black.
+TEST(Specialization, SkipsPixelsThatNothingCanShowIn) {
+  Scene scene;
+  scene.camera = {{3, 4, 5}, 60.0, 100.0, 1.5};
+  scene.materials = {{glm::dvec3(0.5), glm::dvec3(0.0), glm::dvec3(0.0), 1.0}};
+  scene.spheres = {{scene.camera.position + glm::dvec3(4, 2, -10), 1.0, 0}};
+  const ImageSize size = imageSize(scene.camera).value();
+  RenderSettings settings;
+  settings.size = size;
+  settings.crop = {0, 0, size.width, size.height};
+  const RenderResult result = renderScene(scene, settings);
+  const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+  EXPECT_EQ(result.skippedPixels + result.counts.samples, pixels);
+  EXPECT_GT(result.skippedPixels, pixels * 9 / 10);
+  expectSameBits(scene, settings, "whole");
+  // The ball in part, and none of it.
+  settings.crop = {size.width / 2, 0, size.width - 30, 40};
+  expectSameBits(scene, settings, "part");
+  settings.crop = {0, 60, 50, 80};
+  EXPECT_EQ(renderScene(scene, settings).counts.dispatches, 0U);
+  expectSameBits(scene, settings, "background");
+}
+
+// Nothing reaches the eye from a light behind the surface, nor from one more light on what is white already.
+TEST(Specialization, SkipsShadowRaysThatCannotChangeAPixel) {
+  Scene scene;
+  scene.camera = {{0, 0, 0}, 60.0, 100.0, 1.0};
+  scene.materials = {{glm::dvec3(0.1), glm::dvec3(1.0), glm::dvec3(0.0), 1.0}};
+  scene.planes = {{{0, 0, 1}, {0, 0, -5}, 0}};
+  scene.lights = {{{0, 0, -9}, glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0)},
+                  {{0, 0, 100}, glm::dvec3(0.0), glm::dvec3(2.0), glm::dvec3(0.0)},
+                  {{0, 0, 50}, glm::dvec3(0.0), glm::dvec3(2.0), glm::dvec3(0.0)}};
+  const ImageSize size = imageSize(scene.camera).value();
+  RenderSettings settings;
+  settings.size = size;
+  settings.crop = {0, 0, size.width, size.height};
+  settings.countRays = true;
+  const TraceCounts counts = renderScene(scene, settings).counts;
+  EXPECT_EQ(counts.shadowRays, counts.samples);
+  EXPECT_EQ(counts.skippedShadowRays, 2 * counts.samples);
+}
+
+}  // namespace
+}  // namespace lavaray
