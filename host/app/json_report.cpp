@@ -56,7 +56,8 @@ Json bvhJson(const GpuScene& scene) {
   return {{"primitives", scene.primitives.size()}, {"droppedDuplicates", scene.droppedDuplicates},
           {"innerNodes", bvh.innerNodes},          {"leaves", bvh.leaves},
           {"primitivesPerLeaf", bvh.leafSize},     {"depth", bvh.depth},
-          {"mostDepth", gpu::kMaxBvhDepth},        {"sahCost", bvh.sahCost}};
+          {"mostDepth", gpu::kMaxBvhDepth},        {"traversedNodes", scene.nodes.size()},
+          {"traversedDepth", scene.bvhDepth},      {"sahCost", bvh.sahCost}};
 }
 
 Json samplingJson(const RenderResult& result) {
