@@ -65,6 +65,7 @@ Json samplingJson(const RenderResult& result) {
   return {{"stopped", name(result.stopReason)},
           {"samplesPerPixel", static_cast<double>(result.counts.samples) / pixels},
           {"mostSamplesPerPixel", result.mostSamples},
+          {"skippedPixels", result.skippedPixels},
           {"estimatedRmse", result.estimatedError > 0.0 ? Json(result.estimatedError) : Json()}};
 }
 
@@ -98,7 +99,6 @@ void writeJsonStatistics(std::FILE* stream, const Scene& scene, const GpuScene& 
                          {"mirror", result.counts.mirrorRays},
                          {"shadow", result.counts.shadowRays},
                          {"skippedShadow", result.counts.skippedShadowRays}}},
-                       {"skippedPixels", result.skippedPixels},
                        {"sampling", samplingJson(result)},
                        {"device", deviceJson(device, result)},
                        {"memory", {{"peakBytes", peakMemoryBytes()}}},

@@ -100,8 +100,8 @@ void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuS
   out << "rays\n  camera          " << result.counts.samples << " ("
       << static_cast<double>(result.counts.samples) / pixels << " a pixel, at most " << result.mostSamples
       << ")\n  mirror          " << result.counts.mirrorRays << "\n  shadow          "
-      << result.counts.shadowRays << ", " << result.counts.skippedShadowRays
-      << " more not needed\n  pixels skipped  " << result.skippedPixels << "\nsampling\n  stopped         "
+      << result.counts.shadowRays << "\nskipped\n  shadow rays     " << result.counts.skippedShadowRays
+      << "\n  black pixels    " << result.skippedPixels << "\nsampling\n  stopped         "
       << describe(result.stopReason) << '\n';
   if (result.estimatedError > 0.0) {
     out << "  estimated RMSE  " << std::setprecision(6) << result.estimatedError << std::setprecision(2)
