@@ -1,0 +1,16 @@
+#include "gpu/trace_rays.hpp"
+
+#include "gpu/probe.hpp"
+#include "traceProbeSpirv.spv.h"
+
+namespace lavaray {
+
+std::vector<gpu::ProbeHit> traceRays(const GpuScene& scene, const std::vector<gpu::ProbeRay>& rays,
+                                     gpu::uint mode) {
+  const gpu::TraceConstants constants{static_cast<gpu::uint>(rays.size()),
+                                      static_cast<gpu::uint>(scene.primitives.size()), scene.rootReference,
+                                      mode};
+  return runProbe<gpu::ProbeHit>(traceProbeSpirv, scene, rays, constants);
+}
+
+}  // namespace lavaray
