@@ -1,0 +1,13 @@
+#include "stress/shape_probe.hpp"
+
+#include "gpu/probe.hpp"
+#include "shapeProbeSpirv.spv.h"
+
+namespace lavaray {
+
+std::vector<float> intersectShapes(const std::vector<gpu::ShapeQuery>& queries) {
+  const gpu::CountConstants constants{static_cast<gpu::uint>(queries.size())};
+  return runProbe<float>(shapeProbeSpirv, GpuScene{}, queries, constants);
+}
+
+}  // namespace lavaray
