@@ -25,10 +25,10 @@ vec3 phong(Material material, Light light, vec3 normal, vec3 toLight, vec3 toVie
 }
 
 // Largest t of a shadow ray that counts as before the light. A surface through the light does not block it, and
-// its t, 1 in exact arithmetic, is off by the rounding of the numbers it is computed from.
+// its t, 1 in exact arithmetic, is off by the rounding of the numbers it is computed from, at either end.
 float shadowRayEnd(vec3 origin, vec3 light, vec3 direction) {
   const float magnitude = maxComponent(abs(origin)) + maxComponent(abs(light));
-  return 1.0 - kPositionUlps * kHalfUlp * magnitude / maxComponent(abs(direction));
+  return 1.0 - 2.0 * kPositionUlps * kHalfUlp * magnitude / maxComponent(abs(direction));
 }
 
 // Sets `blocked` to whether a surface other than `surface` lies between its point and a point of the light.

@@ -11,11 +11,15 @@ struct SurfacePoint {
   vec3 shadingNormal;    // unit length, on the side that the surface is seen from
 };
 
-// Half a unit in the last place of 1, and how many of them the position may be off by, in proportion to the
-// numbers it is computed from: the ones of the projection below (about 6), of the host's rounding of
-// coordinates and normals (2) and of adding the offset (1), doubled.
+// Half a unit in the last place of 1, and how many of them a position may be off by, in proportion to the numbers
+// that it is computed from: the ones of the projection below (4; of a sphere's normal and radius 5), of the host's
+// rounding of coordinates and normals (2) and of adding the offset (1).
 const float kHalfUlp = 5.9604645e-8;
-const float kPositionUlps = 16.0;
+const float kPositionUlps = 8.0;
+
+// The same in proportion to the extent of a triangle. A mesh's faces that adjoin at a point are tested relative to
+// the point, where a vertex far away loses the digits of the point's own coordinates.
+const float kExtentUlps = 4.0;
 
 // Moves a point near a plane onto it; what is left is the rounding of the distance, not that of t.
 SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction) {
@@ -45,6 +49,8 @@ vec3 interpolatedNormal(uint firstCornerNormal, vec3 weights, vec3 facing) {
 SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direction) {
   const TrianglePlane plane = fetchTrianglePlane(hit.surface);
   SurfacePoint point = pointOnPlane(near, plane.normal, plane.distance, direction);
+  const vec3 extent = max(abs(primitive.b - primitive.a), abs(primitive.c - primitive.a));
+  point.error += kExtentUlps * kHalfUlp * maxComponent(extent);
   if (kHasCornerNormals && primitive.kind != kNoCornerNormals) {
     const vec3 normal = interpolatedNormal(primitive.kind, hit.weights, point.geometricNormal);
     if (normal != vec3(0.0)) point.shadingNormal = normal;
