@@ -53,6 +53,18 @@ struct SurfaceAnswer {
   uint blocked;     // whether a surface lies between the point and the light
 };
 
+struct PointPair {
+  vec3 a;
+  uint padding0;
+  vec3 b;
+  uint padding1;
+};
+
+struct PairAnswer {
+  uint blockedFromAToB;
+  uint blockedFromBToA;
+};
+
 struct SurfaceConstants {
   uint count;
   uint rootReference;
