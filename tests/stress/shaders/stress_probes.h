@@ -53,6 +53,31 @@ struct SurfaceAnswer {
   uint blocked;     // whether a surface lies between the point and the light
 };
 
+struct ArithmeticQuery {
+  float a;
+  float b;
+  float c;
+  uint padding0;
+};
+
+// What the device makes of a query's numbers.
+struct ArithmeticAnswer {
+  float sum;       // a + b
+  float product;   // a b
+  float quotient;  // a / b
+  float fused;     // fma(a, b, c)
+  float root;      // of a
+  float inverseRoot;
+  float power2;     // 2^a
+  float minimum;    // of a and b
+  float maximum;    // the same
+  uint isLess;      // a < b
+  uint isNotLess;   // a >= b
+  float specular;   // specularPower(a, b)
+  vec3 unitVector;  // unit(a, b, c)
+  uint padding0;
+};
+
 struct PointPair {
   vec3 a;
   uint padding0;
