@@ -23,17 +23,18 @@ const float kExtentUlps = 4.0;
 
 // Moves a point near a plane onto it; what is left is the rounding of the distance, not that of t.
 SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction) {
-  precise const float offPlane = dot(normal, near) - distance;
+  precise const float offPlane = preciseDot(normal, near) - distance;
   precise const vec3 position = near - offPlane * normal;
-  const float error = kPositionUlps * kHalfUlp * (dot(abs(normal), abs(position)) + abs(distance));
-  const vec3 facing = dot(normal, direction) > 0.0 ? -normal : normal;
+  precise const float error =
+      kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(position)) + abs(distance));
+  const vec3 facing = preciseDot(normal, direction) > 0.0 ? -normal : normal;
   return SurfacePoint(position, error, facing, facing);
 }
 
 SurfacePoint pointOnSphere(vec3 near, vec3 center, float radius) {
   const vec3 normal = unit(near - center);
   precise const vec3 position = center + radius * normal;
-  const float error = kPositionUlps * kHalfUlp * (dot(abs(normal), abs(center)) + radius);
+  precise const float error = kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(center)) + radius);
   return SurfacePoint(position, error, normal, normal);
 }
 
@@ -50,7 +51,8 @@ SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direc
   const TrianglePlane plane = fetchTrianglePlane(hit.surface);
   SurfacePoint point = pointOnPlane(near, plane.normal, plane.distance, direction);
   const vec3 extent = max(abs(primitive.b - primitive.a), abs(primitive.c - primitive.a));
-  point.error += kExtentUlps * kHalfUlp * maxComponent(extent);
+  precise const float error = point.error + kExtentUlps * kHalfUlp * maxComponent(extent);
+  point.error = error;
   if (kHasCornerNormals && primitive.kind != kNoCornerNormals) {
     const vec3 normal = interpolatedNormal(primitive.kind, hit.weights, point.geometricNormal);
     if (normal != vec3(0.0)) point.shadingNormal = normal;
@@ -74,7 +76,7 @@ SurfacePoint surfacePoint(Ray ray, Hit hit) {
 // Origin of a ray that leaves the point towards `direction`: moved off the surface by the error bound, to the
 // side that the ray is on, so that no part of the surface is found at distance zero.
 vec3 leave(SurfacePoint point, vec3 direction) {
-  const float side = dot(point.geometricNormal, direction) < 0.0 ? -1.0 : 1.0;
+  const float side = preciseDot(point.geometricNormal, direction) < 0.0 ? -1.0 : 1.0;
   precise const vec3 origin = point.position + (side * point.error) * point.geometricNormal;
   return origin;
 }
