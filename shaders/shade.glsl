@@ -5,10 +5,23 @@
 
 #include "surface.glsl"
 
-// base^shininess for a cosine, with 0^0 = 1. The built-in pow is undefined there.
-float specularPower(float cosine, float shininess) {
+// 1 - the cosine of the angle between two unit vectors, from their difference: what a high power brings to light is
+// lost in the dot product.
+float oneMinusCosine(vec3 a, vec3 b) {
+  const vec3 difference = a - b;
+  return 0.5 * dot(difference, difference);
+}
+
+// cosine^shininess, with 0^0 = 1; a negative cosine counts as 0. The built-in pow is undefined for 0^0, and close to 1
+// its logarithm has too few digits for a high power: there it is the series 2 artanh(x) = ln((1 + x) / (1 - x)).
+float specularPower(float oneMinusCosine, float shininess) {
   if (shininess == 0.0) return 1.0;
-  return cosine > 0.0 ? pow(min(cosine, 1.0), shininess) : 0.0;
+  if (!(oneMinusCosine < 1.0)) return 0.0;
+  if (oneMinusCosine > 0.25) return pow(1.0 - oneMinusCosine, shininess);
+  const float x = oneMinusCosine / (2.0 - oneMinusCosine);
+  const float x2 = x * x;
+  const float series = x * (1.0 + x2 * (1.0 / 3.0 + x2 * (1.0 / 5.0 + x2 * (1.0 / 7.0))));
+  return exp2(shininess * series * -2.8853901);  // 2 / ln 2
 }
 
 // What an unblocked light adds. `toLight` and `toViewer` have unit length; a light in the point itself has no
@@ -19,7 +32,8 @@ vec3 phong(Material material, Light light, vec3 normal, vec3 toLight, vec3 toVie
   if (cosine > 0.0) {
     const vec3 reflected = 2.0 * cosine * normal - toLight;
     color += light.diffuse * material.diffuse * cosine;
-    color += light.specular * material.specular * specularPower(dot(reflected, toViewer), material.shininess);
+    color += light.specular * material.specular *
+             specularPower(oneMinusCosine(reflected, toViewer), material.shininess);
   }
   return color;
 }

@@ -73,7 +73,7 @@ struct ArithmeticAnswer {
   float maximum;    // the same
   uint isLess;      // a < b
   uint isNotLess;   // a >= b
-  float specular;   // specularPower(a, b)
+  float specular;   // specularPower(a, b): a is 1 - the cosine
   vec3 unitVector;  // unit(a, b, c)
   uint padding0;
 };
