@@ -35,11 +35,6 @@ class SceneImage : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(, SceneImage, testing::ValuesIn(sceneNames()),
                          [](const auto& test) { return asIdentifier(test.param); });
 
-TEST_P(SceneImage, EqualsTheOracleOffTheSilhouettes) {
-  const Scene scene = readNamed(GetParam());
-  expectEqualsOracle(scene, reducedSize(scene.camera, 200));
-}
-
 TEST_P(SceneImage, IsTheSameTwiceAndInParts) {
   const Scene scene = readNamed(GetParam());
   const ImageSize size = reducedSize(scene.camera, 300);
