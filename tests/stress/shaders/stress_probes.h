@@ -95,6 +95,20 @@ struct SurfaceConstants {
   uint rootReference;
 };
 
+struct PathColor {
+  vec3 color;
+  uint finished;
+};
+
+// A picture of pixels of size 1.
+struct PathConstants {
+  uint width;
+  uint height;
+  float focalLength;
+  uint rootReference;
+  uint maxDepth;  // mirror bounces
+};
+
 struct CountConstants {
   uint count;
 };
