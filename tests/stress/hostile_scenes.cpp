@@ -59,7 +59,7 @@ Rendered renderSmall(const Scene& scene) {
 // Pixels whose colour before the clamping is no number. An infinite one is white.
 std::size_t countNaN(const Scene& scene) {
   const GpuScene gpuScene = flatten(scene, 1);
-  const gpu::PathConstants constants{32, 24, 30.0F, gpuScene.rootReference, gpuScene.hasMirrors ? 8U : 0U};
+  const gpu::PathConstants constants{32, 24, 30.0F, gpuScene.hasMirrors ? 8U : 0U};
   const std::vector<gpu::uint> pixels(constants.width * constants.height);
   std::size_t count = 0;
   for (const gpu::PathColor& pixel : runProbe<gpu::PathColor>(pathProbeSpirv, gpuScene, pixels, constants)) {

@@ -295,7 +295,7 @@ TEST(ShadowRay, FindsTheSameInBothDirections) {
   std::vector<gpu::PointPair> pairs(sized(100'000, 1'000'000));
   for (gpu::PointPair& pair : pairs) pair = {randomPoint(random, kScale), 0, randomPoint(random, kScale), 0};
   const GpuScene gpuScene = flatten(scene, 2);
-  const gpu::SurfaceConstants constants{static_cast<gpu::uint>(pairs.size()), gpuScene.rootReference};
+  const gpu::SurfaceConstants constants{static_cast<gpu::uint>(pairs.size())};
   const auto answers = runProbe<gpu::PairAnswer>(visibilityProbeSpirv, gpuScene, pairs, constants);
 
   std::vector<char> clear(pairs.size());

@@ -22,8 +22,8 @@ std::string describe(const Arithmetic& arithmetic) {
          " Fma";
 }
 
-constexpr std::array kGuarded{"intersectBox",  "intersectTriangle", "preciseDot", "pointOnPlane",
-                              "pointOnSphere", "pointOnTriangle",   "leave"};
+constexpr std::array kGuarded{"intersectBoxes", "decodeSides",   "intersectTriangle", "preciseDot",
+                              "pointOnPlane",   "pointOnSphere", "pointOnTriangle",   "leave"};
 
 // In the renderer's shader before optimization, where functions still have names.
 TEST(SpirvGate, MarksEdgesSlabsAndOffsetsNoContraction) {
@@ -55,7 +55,7 @@ TEST(SpirvGate, SurvivesTheOptimizer) {
   };
   const int offsets =
       named["pointOnPlane"].decorated + named["leave"].decorated + 2 * named["preciseDot"].decorated;
-  for (const Gate& gate : {Gate{"slab distances", boxGateSpirv, named["intersectBox"].decorated},
+  for (const Gate& gate : {Gate{"slab distances", boxGateSpirv, named["intersectBoxes"].decorated},
                            Gate{"edge functions", triangleGateSpirv, named["intersectTriangle"].decorated},
                            Gate{"offsets", offsetGateSpirv, offsets}}) {
     const Arithmetic arithmetic = total(arithmeticOf(gate.spirv));

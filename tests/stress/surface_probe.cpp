@@ -85,7 +85,7 @@ glm::dvec3 randomTarget(const SurfaceScene& surfaces, Random& random) {
 
 std::vector<gpu::SurfaceAnswer> findPoints(const GpuScene& scene,
                                            const std::vector<gpu::SurfaceQuery>& queries) {
-  const gpu::SurfaceConstants constants{static_cast<gpu::uint>(queries.size()), scene.rootReference};
+  const gpu::SurfaceConstants constants{static_cast<gpu::uint>(queries.size())};
   return runProbe<gpu::SurfaceAnswer>(surfaceProbeSpirv, scene, queries, constants);
 }
 

@@ -4,4 +4,4 @@
 
 #include "gate.glsl"
 
-void main() { distance = intersectBox(gateRay(), gateConstants(), a, b, tMax); }
+void main() { distances = intersectBoxes(gateRay(), gateConstants(), near, far, tMax); }

@@ -16,6 +16,9 @@ layout(std430, set = 0, binding = 16) buffer Gate {
   vec3 c;
   vec3 weights;
   float distance;
+  vec4 near[3];
+  vec4 far[3];
+  vec4 distances;
 };
 
 Ray gateRay() { return Ray(origin, direction); }

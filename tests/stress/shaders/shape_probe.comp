@@ -10,6 +10,18 @@ layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Queries { Sha
 layout(std430, set = 0, binding = kBindingProbeOut) buffer Distances { float distances[]; };
 layout(push_constant) uniform PushConstants { CountConstants constants; };
 
+// The box four times, as a node holds it.
+float intersectBox(Ray ray, RayConstants constants, vec3 lower, vec3 upper, float tMax) {
+  vec4 near[3];
+  vec4 far[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    near[axis] = vec4(constants.negative[axis] ? upper[axis] : lower[axis]);
+    far[axis] = vec4(constants.negative[axis] ? lower[axis] : upper[axis]);
+  }
+  const vec4 entry = intersectBoxes(ray, constants, near, far, tMax);
+  return entry == entry.yzwx ? entry.x : -1.0;  // what no distance is, if the four differ
+}
+
 float intersectShape(Ray ray, ShapeQuery query) {
   if (query.shape == kShapeSphere) return intersectSphere(ray, query.a, query.b.x);
   if (query.shape == kShapePlane) return intersectPlane(ray, query.a, query.b.x);

@@ -92,7 +92,6 @@ struct PairAnswer {
 
 struct SurfaceConstants {
   uint count;
-  uint rootReference;
 };
 
 struct PathColor {
@@ -105,7 +104,6 @@ struct PathConstants {
   uint width;
   uint height;
   float focalLength;
-  uint rootReference;
   uint maxDepth;  // mirror bounces
 };
 

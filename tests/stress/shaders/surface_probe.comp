@@ -24,7 +24,7 @@ void main() {
   const SurfaceQuery query = queries[index];
   const Ray ray = Ray(query.origin, query.direction);
   Hit hit = missUpTo(kInfinity);
-  findHit(false, ray, kNoSurface, constants.rootReference, hit);
+  findHit(false, ray, kNoSurface, hit);
   SurfaceAnswer answer;
   answer.surface = hit.surface;
   if (hit.surface != kNoSurface) {
@@ -40,10 +40,10 @@ void main() {
     answer.leaving = leaving.direction;
     Hit next = missUpTo(kInfinity);
     const uint skipped = query.skipsItself != 0u ? hit.surface : kNoSurface;
-    findHit(false, leaving, skipped, constants.rootReference, next);
+    findHit(false, leaving, skipped, next);
     answer.hitsItself = next.surface == hit.surface ? 1u : 0u;
     bool blocked;
-    findShadow(point, hit.surface, query.light, constants.rootReference, blocked);
+    findShadow(point, hit.surface, query.light, blocked);
     answer.blocked = blocked ? 1u : 0u;
   }
   answers[index] = answer;
