@@ -119,7 +119,8 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
     state.step = 0u;
   }
   if (!kHasMirrors || bounce == settings.maxDepth) return true;
-  segment.weight *= material.reflectance;
+  // Kept finite: an infinite weight times a colour of 0 would be no number.
+  segment.weight = min(segment.weight * material.reflectance, vec3(3.4e38));
   if (maxComponent(segment.weight) < kMinReflectance) return true;
   const vec3 incoming = unit(segment.ray.direction);
   const vec3 direction = incoming - 2.0 * dot(incoming, point.shadingNormal) * point.shadingNormal;
