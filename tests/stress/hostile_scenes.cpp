@@ -70,6 +70,21 @@ std::size_t countNaN(const Scene& scene) {
   return count;
 }
 
+// Between two mirrors that are brighter than any, a path's weight grows beyond all floats.
+TEST(HostileScenes, MirrorsOfHugeReflectanceShowNumbers) {
+  Scene scene;
+  scene.camera = {{0, 0, 0}, 60.0, 20.0, 1.33};
+  addPlane(scene, {0.1, 0, 1}, {0, 0, -5});
+  addPlane(scene, {0, 0.1, 1}, {0, 0, 5});
+  for (Material& material : scene.materials) {
+    material = {{0.0, 0.1, 0.2}, {0.0, 0.0, 0.5}, {0.0, 0.5, 0.0}, 5.0, {1e15, 1e15, 1e-40}};
+  }
+  scene.lights.push_back({{0, 3, 0}, glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(1.0)});
+  const std::size_t pixels = countNaN(scene);
+  EXPECT_EQ(pixels, 0U);
+  report(grouped(pixels) + " pixels that are no number");
+}
+
 // Of each kind, so that a hostile scene is compared with its like.
 std::array<double, kSceneKinds> secondsOfCleanScenes() {
   constexpr int kRepeats = 5;
