@@ -81,7 +81,8 @@ const uint kSpecSampling = 7u;
 const uint kSpecResumable = 8u;
 const uint kSpecCountRays = 9u;
 const uint kSpecStackSize = 10u;
-const uint kSpecCount = 11u;
+const uint kSpecView = 11u;
+const uint kSpecCount = 12u;
 
 // A WorkResult's squares where there is none yet.
 const float kUnfinished = -1.0f;
@@ -96,6 +97,14 @@ const uint kPassResumed = 2u;     // those that an earlier dispatch left half do
 const uint kSamplingCenter = 0u;  // one sample in the pixel's centre
 const uint kSamplingSobol = 1u;   // an Owen-scrambled Sobol sequence
 const uint kSamplingRandom = 2u;  // independent random numbers
+
+// Values of kSpecView: what a work item sums up for each sample.
+const uint kViewColor = 0u;   // the colour, in [0, 1]
+const uint kViewNormal = 1u;  // n / 2 + 1/2 for the shading normal n, on the side that is seen
+const uint kViewDepth = 2u;   // the distance from the camera, and 1; both 0 where nothing is hit
+const uint kViewObject = 3u;  // a colour for each object
+const uint kViewShadow = 4u;  // share of the lights that are not blocked
+const uint kViewCost = 5u;    // number of rays
 
 // An inner node of the BVH with the boxes of up to four children. On each axis the side s of a box lies at origin +
 // s 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in it. A child that
@@ -196,7 +205,7 @@ struct WorkResult {
 LAVARAY_SIZE(WorkResult, 16);
 
 // How far an unfinished work item has come: its finished samples with their sums, and of the one under way the path's colour so
-// far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i).
+// far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i), and its rays so far.
 struct WorkState {
   vec3 sum;
   uint taken;  // samples
@@ -204,8 +213,8 @@ struct WorkState {
   uint bounce;
   uint step;
   float squares;
+  uint rays;
   uint padding0;
-  uint padding1;
 };
 LAVARAY_SIZE(WorkState, 48);
 

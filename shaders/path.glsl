@@ -4,6 +4,7 @@
 
 #include "light.glsl"
 #include "shade.glsl"
+#include "view.glsl"
 
 layout(constant_id = kSpecResumable) const bool kResumable = true;
 
@@ -13,6 +14,7 @@ struct PathState {
   vec3 color;
   uint bounce;
   uint step;  // of that bounce: 0 is the ambient colour, i + 1 is light i
+  uint rays;  // so far; counted where the view is of them
 };
 
 struct RayCounts {
@@ -50,7 +52,8 @@ bool lightTerm(Light light, SurfacePoint point, uint surface, Material material,
   uint i = 0u;
   do {
     const LightSample s = sampleLight(light, point.position, settings.index * directions + i, seed);
-    const vec3 unblocked = phong(material, light, point.shadingNormal, s.toLight, toViewer);
+    vec3 unblocked = vec3(1.0);
+    if (kView != kViewShadow) unblocked = phong(material, light, point.shadingNormal, s.toLight, toViewer);
     bool blocked = false;
     finished = true;
     if (showsAny && maxComponent(unblocked) > 0.0) {
@@ -71,7 +74,8 @@ bool lightTerm(Light light, SurfacePoint point, uint surface, Material material,
 bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material material, vec3 weight,
                      PathSettings settings, inout PathState state, inout RayCounts counts) {
   if (state.step == 0u) {
-    state.color += weight * material.ambient;
+    if (kView != kViewShadow) state.color += weight * material.ambient;
+    if (kView == kViewCost) ++state.rays;
     state.step = 1u;
   }
   const vec3 toViewer = -unit(ray.direction);
@@ -85,13 +89,18 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
     const uint seed = hashCombine(settings.seed, use);
     vec3 term;
     // A sample that is white in all channels stays so: what is added is not negative.
-    const bool showsAny = minComponent(state.color) < 1.0;
+    const bool showsAny = kView == kViewShadow || minComponent(state.color) < 1.0;
+    const uint shadowRays = counts.shadow;
     if (!lightTerm(light, point, surface, material, toViewer, settings, seed, directions, showsAny, counts, term)) {
       return false;
     }
     state.color += weight * term;
+    if (kView == kViewCost) state.rays += counts.shadow - shadowRays;
   }
-  return state.step > kLightCount;
+  const bool finished = state.step > kLightCount;
+  // The lights that are not blocked have been counted so far.
+  if (kView == kViewShadow && kLightCount > 0u && finished) state.color /= float(kLightCount);
+  return finished;
 }
 
 // A path between two of its vertices.
@@ -108,8 +117,15 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   ended = true;
   Hit hit = missUpTo(kInfinity);
   if (!findHit(false, segment.ray, segment.skipped, hit)) return false;
-  if (hit.surface == kNoSurface) return true;
+  if (hit.surface == kNoSurface) {
+    if (kView == kViewCost) ++state.rays;
+    return true;
+  }
   const SurfacePoint point = surfacePoint(segment.ray, hit);
+  if (kViewsSurface) {
+    state.color = viewedSurface(segment.ray, hit, point);
+    return true;
+  }
   const Material material = materials[hit.object];
   if (!kResumable || bounce == state.bounce) {
     if (!addIllumination(segment.ray, hit.surface, point, material, segment.weight, settings, state, counts)) {

@@ -36,19 +36,22 @@ vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g),
 
 // Takes the sample that the state is at. Returns false where it could not be finished.
 bool takeSample(uvec2 pixel, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
-  PathState path = PathState(state.color, state.bounce, state.step);
+  PathState path = PathState(state.color, state.bounce, state.step, state.rays);
   const PathSettings settings = PathSettings(constants.maxDepth, index, seed);
   const bool finished = tracePath(sampleRay(pixel, index, seed), settings, path, counts);
   if (finished) {
-    const vec3 color = displayed(path.color);
+    vec3 color = path.color;
+    if (kView == kViewCost) color = vec3(path.rays);
+    if (kView != kViewCost && kView != kViewDepth) color = displayed(color);
     state.sum += color;
     state.squares += dot(color, color) / 3.0;
     ++state.taken;
-    path = PathState(vec3(0.0), 0u, 0u);
+    path = PathState(vec3(0.0), 0u, 0u, 0u);
   }
   state.color = path.color;
   state.bounce = path.bounce;
   state.step = path.step;
+  state.rays = path.rays;
   return finished;
 }
 

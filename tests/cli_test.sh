@@ -159,6 +159,27 @@ expect 0 'stopped +at the time limit' "$lavaray" "$scene" $small --spp 4000000 -
 expect 0 '' "$lavaray" "$scene" $small --target-error 0.005 --view samples -o samples.png
 expect 0 '' "$lavaray" "$scene" $small --target-error 0.005 --view error -o error.pfm
 expect 2 'needs --target-error' "$lavaray" "$scene" $small --view error
+for view in normal depth object shadow cost; do
+  expect 0 '' "$lavaray" "$scene" $small --view $view -o view.pfm
+  expect 10 '' "$diff" view.pfm picture.pfm
+  expect 0 '' "$lavaray" "$scene" $small --view $view --spp 3 -o view.pfm
+  expect 0 '' "$lavaray" "$scene" $small --view $view --spp 3 --crop 10,5,30,20 -o view-part.pfm
+  python3 - view.pfm view-part.pfm <<'END' || { failures=$((failures + 1)); echo "FAILED: --view $view: a crop"; }
+import sys
+def rows(file):  # top to bottom
+    _, size, _, data = open(file, 'rb').read().split(b'\n', 3)
+    width, height = map(int, size.split())
+    return [data[12 * width * y:][:12 * width] for y in reversed(range(height))]
+whole, part = rows(sys.argv[1]), rows(sys.argv[2])
+sys.exit(part != [row[12 * 10:12 * 30] for row in whole[5:20]])
+END
+  checks=$((checks + 1))
+  expect 2 'color, samples and error' "$lavaray" "$scene" $small --view $view --target-error 0.1
+done
+expect 0 '' "$lavaray" "$scene" $small --view depth -o view.png
+expect 0 '' "$diff" --info view.png
+holds '--info says the view' grep -qE '^View +depth$' stdout
+expect 2 'color, normal, depth, object, shadow, cost, samples, error' "$lavaray" "$scene" --view nothing
 expect 0 '' "$lavaray" "$scene" $small --reflect 0.5 -o mirrored.pfm
 expect 0 '' "$lavaray" "$scene" $small --reflect 0.5 --max-depth 0 -o unmirrored.pfm
 expect 10 '' "$diff" mirrored.pfm unmirrored.pfm

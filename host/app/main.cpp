@@ -40,11 +40,15 @@ class Output {
   ImageFormat format_ = ImageFormat::kPpm;
 };
 
+// A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
+bool needsWhole(const Options& options) {
+  return options.normalize || isMeasure(options.view);
+}
+
 RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
   RenderSettings settings;
   settings.size = size;
-  // A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
-  settings.crop = options.normalize ? Rectangle{0, 0, size.width, size.height} : part;
+  settings.crop = needsWhole(options) ? Rectangle{0, 0, size.width, size.height} : part;
   settings.maxDepth = options.maxDepth;
   settings.samples = options.samples;
   settings.sampler = options.sampler;
@@ -88,8 +92,8 @@ ExitCode renderScene(const Options& options, const Scene& scene, FutureDevice fu
 
   const TextEntries origin =
       describeOrigin(options, settings, result, device.description().name, times.seconds());
-  if (options.normalize) {
-    normalize(result.image);
+  if (options.normalize) normalize(result.image);
+  if (needsWhole(options)) {
     output.write(crop(result.image, part), origin);
   } else {
     output.write(result.image, origin);

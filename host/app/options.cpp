@@ -74,15 +74,16 @@ void addSamplingOptions(CLI::App& app, Options& options) {
 
 void addViewOption(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
-         "--view",
-         [&options](const std::string& name) {
-           options.view = name == "samples" ? View::kSamples : name == "error" ? View::kError : View::kColor;
-         },
-         "What the image shows: color, samples (of each pixel, in proportion to the most) or error "
-         "(estimated, in "
-         "units of a colour; with --target-error). Default: color")
+         "--view", [&options](const std::string& name) { options.view = viewNamed(name).value(); },
+         "What the image shows: color, normal, depth (distance, in proportion to the largest), object, "
+         "shadow "
+         "(share of the lights that are not blocked), cost (rays, in proportion to the most), samples "
+         "(likewise) "
+         "or error (estimated, in units of a colour; with --target-error). Default: color")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"color", "samples", "error"}));
+      ->check([](const std::string& name) {
+        return viewNamed(name) ? std::string() : "there is no view " + name + ", allowed are " + kViewNames;
+      });
 }
 
 void addSceneOptions(CLI::App& app, Options& options) {
@@ -157,6 +158,10 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
   if (options.view == View::kError && !options.targetError) {
     throw Error(ExitCode::kUsage, "--view error needs --target-error: without, the error is not estimated");
+  }
+  if (options.targetError && tracedView(options.view) != gpu::kViewColor) {
+    throw Error(ExitCode::kUsage, "--target-error is for the views color, samples and error; for view " +
+                                      viewName(options.view) + " give --spp");
   }
   if (options.output.empty()) options.output = defaultOutput(options.scene);
   checkOutput(options.output);

@@ -25,7 +25,7 @@ std::string describe(double number) {
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const RenderResult& result,
                            const std::string& device, double seconds) {
   const double pixels = static_cast<double>(result.image.width) * result.image.height;
-  return {
+  TextEntries entries = {
       {"Software", std::string("lavaray ") + kVersion},
       {"Scene", options.scene.filename().string()},  // without the folders of who made it
       {"Size", describe(settings.size, options.crop)},
@@ -34,6 +34,8 @@ TextEntries describeOrigin(const Options& options, const RenderSettings& setting
       {"Seed", std::to_string(settings.seed)},
       {"Device", device},
       {"Seconds", describe(seconds)}};
+  if (options.view != View::kColor) entries.emplace_back("View", viewName(options.view));
+  return entries;
 }
 
 }  // namespace lavaray

@@ -40,6 +40,7 @@ class Render {
     } else {
       renderSamples();
     }
+    if (isMeasure(settings_.view)) normalize(result_.image);
     result_.counts = tracer_.counts();
     result_.deviceBytes = tracer_.deviceBytes();
     return std::move(result_);
@@ -74,13 +75,21 @@ class Render {
     tracer_.run(
         pixels_, {},
         [&](std::uint64_t pixel, const gpu::WorkResult& result) {
-          setPixel(pixel, settings_.view == View::kSamples ? glm::vec3(1.0F) : result.sum);
+          if (settings_.view == View::kSamples) {
+            setPixel(pixel, glm::vec3(1.0F));
+          } else if (isMeasure(settings_.view)) {
+            setPixel(pixel, glm::vec3(static_cast<float>(measure(settings_.view, result.sum))));
+          } else {
+            setPixel(pixel, result.sum);
+          }
         },
         [&] { return shouldStop(); });
   }
 
   void renderSamples() {
     std::vector<PixelSum> sums(pixels_);
+    // Results come in the order of their items, so that these sums need no fixed point, which has bounds.
+    std::vector<glm::dvec3> measured(isMeasure(settings_.view) ? pixels_ : 0);
     std::uint32_t done = 0;
     while (done < settings_.samples) {
       const std::uint32_t round = std::clamp(done, gpu::kMaxSamplesPerItem, kRoundSamples);
@@ -92,15 +101,21 @@ class Render {
                              std::min(gpu::kMaxSamplesPerItem, samples - offset)};
       };
       const auto takeResult = [&](std::uint64_t index, const gpu::WorkResult& result) {
-        sums[index / items].add(result.sum, makeItem(index).count);
+        const std::uint64_t pixel = index / items;
+        if (!measured.empty()) measured[pixel] += glm::dvec3(result.sum);
+        sums[pixel].add(measured.empty() ? result.sum : glm::vec3(0.0F), makeItem(index).count);
       };
       if (!tracer_.run(pixels_ * items, makeItem, takeResult, [&] { return shouldStop(); })) break;
       done += samples;
     }
-    showPixels([&](std::uint64_t pixel) { return glm::vec3(sums[pixel].mean()); },
-               [&](std::uint64_t pixel) { return sums[pixel].samples(); },
-               // One sequence does not tell its error.
-               [](std::uint64_t) { return 0.0; });
+    const auto color = [&](std::uint64_t pixel) {
+      if (measured.empty()) return glm::vec3(sums[pixel].mean());
+      return glm::vec3(static_cast<float>(measure(settings_.view, measured[pixel])));
+    };
+    showPixels(
+        color, [&](std::uint64_t pixel) { return sums[pixel].samples(); },
+        // One sequence does not tell its error.
+        [](std::uint64_t) { return 0.0; });
   }
 
   void renderToTarget() {
@@ -134,15 +149,14 @@ class Render {
     for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) most = std::max(most, samples(pixel));
     for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) {
       switch (settings_.view) {
-        case View::kColor:
-          setPixel(pixel, color(pixel));
-          break;
         case View::kSamples:
           setPixel(pixel, glm::vec3(static_cast<float>(samples(pixel)) / static_cast<float>(most)));
           break;
         case View::kError:
           setPixel(pixel, glm::vec3(static_cast<float>(std::min(1.0, error(pixel)))));
           break;
+        default:
+          setPixel(pixel, color(pixel));
       }
     }
     result_.mostSamples = most;

@@ -6,19 +6,13 @@
 #include "core/camera.hpp"
 #include "image/image.hpp"
 #include "render/pixel_filter.hpp"
+#include "render/view.hpp"
 
 namespace lavaray {
 
 enum class Sampler {
   kSobol,   // Owen-scrambled Sobol points
   kRandom,  // independent random numbers; for comparison
-};
-
-// What an image shows.
-enum class View {
-  kColor,
-  kSamples,  // samples of each pixel, in proportion to the most
-  kError,    // estimated error of each pixel, in units of a colour; needs a target error
 };
 
 // So many that the fixed-point sums (see PixelSum) still hold them.

@@ -28,7 +28,7 @@ gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSetti
   constants.cropY = static_cast<gpu::uint>(settings.crop.y0);
   constants.cropWidth = static_cast<gpu::uint>(settings.crop.x1 - settings.crop.x0);
   constants.seed = settings.seed;
-  constants.maxDepth = scene.hasMirrors ? settings.maxDepth : 0;
+  constants.maxDepth = scene.hasMirrors && tracesMirrors(settings.view) ? settings.maxDepth : 0;
   constants.filterSize = static_cast<gpu::uint>(filterSize);
   return constants;
 }
@@ -50,6 +50,12 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
     }
     values[gpu::kSpecStackSize] = gpu::kMaxBvhDepth;
   }
+  values[gpu::kSpecView] = tracedView(settings.view);
+  if (!tracesMirrors(settings.view)) values[gpu::kSpecHasMirrors] = 0;
+  if (!tracesLights(settings.view)) {
+    values[gpu::kSpecLightCount] = 0;
+    values[gpu::kSpecHasSphericalLights] = 0;
+  }
   return values;
 }
 
@@ -62,8 +68,8 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
                               std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
   capacity_ = static_cast<std::uint32_t>(std::min({kMaxPieceItems, reachable, items}));
-  pieceItems_ =
-      std::max(double{gpu::kWorkGroupSize}, kFirstPieceRays / static_cast<double>(1 + scene.lights.size()));
+  const std::uint64_t lights = tracesLights(settings.view) ? scene.lights.size() : 0;
+  pieceItems_ = std::max(double{gpu::kWorkGroupSize}, kFirstPieceRays / static_cast<double>(1 + lights));
 
   const std::vector<float> filter = filterTable(settings.filter);
   constants_ = dispatchConstants(camera, settings, scene, filter.size());
@@ -79,7 +85,7 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
   specialization_ = specialization(scene, settings);
   const std::uint64_t directions = scene.hasSphericalLights ? gpu::kClampedLightDirections : 1;
   const std::uint64_t shadowRays =
-      std::uint64_t{gpu::kMaxSamplesPerItem} * directions * scene.lights.size() * (1 + constants_.maxDepth);
+      std::uint64_t{gpu::kMaxSamplesPerItem} * directions * lights * (1 + constants_.maxDepth);
   if (settings.specialized && shadowRays <= gpu::kMaxShadowRaysPerDispatch)
     direct_.emplace(makeShader(false));
 }

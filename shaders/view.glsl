@@ -1,0 +1,30 @@
+// What an image shows in place of colours. The view is a specialization constant, so that a pipeline has the code
+// of one view only.
+#ifndef VIEW_GLSL
+#define VIEW_GLSL
+
+#include "random.glsl"
+#include "surface.glsl"
+
+layout(constant_id = kSpecView) const uint kView = kViewColor;
+
+// Whether the view is one of the surface alone, without lights.
+const bool kViewsSurface = kView == kViewNormal || kView == kViewDepth || kView == kViewObject;
+
+// So that a few of them can be added in float32.
+const float kFarthest = 1e37;
+
+// One of 2^24 colours, none of them as dark as the background.
+vec3 objectColor(uint object) {
+  const uint random = hashCombine(0u, object);
+  return 0.2 + 0.8 / 255.0 * vec3((uvec3(random) >> uvec3(0u, 8u, 16u)) & 255u);
+}
+
+// The depth comes with a 1, so that its sum over samples has their number: those that hit nothing have no depth.
+vec3 viewedSurface(Ray ray, Hit hit, SurfacePoint point) {
+  if (kView == kViewNormal) return 0.5 * point.shadingNormal + 0.5;
+  if (kView == kViewDepth) return vec3(min(hit.t * length(ray.direction), kFarthest), 1.0, 0.0);
+  return objectColor(hit.object);
+}
+
+#endif
