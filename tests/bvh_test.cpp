@@ -67,5 +67,27 @@ TEST(Bvh, HandlesFarAndHugeAndTinyCoordinates) {
   expectSound(buildBvh(tiny, 2), tiny);
 }
 
+// Three chains of boxes, each at a fortieth of the last one's distance: every SAH split takes one place off
+// the others, and would still do so with few enough left for a leaf. None is so small that its area is 0.
+TEST(Bvh, BoundsTheDepthWhereEachSplitTakesOneOff) {
+  for (const int copies : {2, 9}) {
+    SCOPED_TRACE(copies);
+    std::vector<Box> boxes;
+    for (int axis = 0; axis < 3; ++axis) {
+      float position = 1e15F;
+      for (int place = 0; place < 21; ++place) {
+        Box box{glm::vec3(0.0F), glm::vec3(1e-19F)};
+        box.lower[axis] = position;
+        box.upper[axis] = position * 1.001F;
+        boxes.insert(boxes.end(), copies, box);
+        position /= 40.0F;
+      }
+    }
+    const Bvh bvh = buildBvh(boxes, 1);
+    expectSound(bvh, boxes);
+    EXPECT_EQ(measure(bvh).depth, gpu::kMaxBvhDepth);
+  }
+}
+
 }  // namespace
 }  // namespace lavaray

@@ -119,7 +119,7 @@ class Builder {
     const std::optional<Split> split = range.count > 1 ? bestSplit(range, mapping, threads) : std::nullopt;
     const float area = halfArea(bounds.box);
     const bool splitPays = split && area + split->cost < static_cast<float>(range.count) * area;
-    if (range.count <= gpu::kMaxLeafSize && !splitPays) {
+    if (range.count <= gpu::kMaxLeafSize && (!splitPays || range.depth == gpu::kMaxBvhDepth)) {
       node.count = range.count;
       node.first = range.first;
       return std::nullopt;
