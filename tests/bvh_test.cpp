@@ -10,18 +10,26 @@ namespace {
 void expectSameTree(const Bvh& a, const Bvh& b) {
   ASSERT_EQ(a.order, b.order);
   ASSERT_EQ(a.nodes.size(), b.nodes.size());
-  for (std::size_t i = 0; i < a.nodes.size(); ++i) {
-    ASSERT_EQ(a.nodes[i].count, b.nodes[i].count);
-    ASSERT_EQ(a.nodes[i].left, b.nodes[i].left);
-    ASSERT_EQ(a.nodes[i].right, b.nodes[i].right);
-    if (a.nodes[i].count + a.nodes[i].left == 0) continue;  // a gap
-    ASSERT_EQ(a.nodes[i].box.lower, b.nodes[i].box.lower);
-    ASSERT_EQ(a.nodes[i].box.upper, b.nodes[i].box.upper);
+  std::vector<std::uint32_t> toVisit{0};
+  while (!toVisit.empty()) {
+    const BvhNode& nodeA = a.nodes.at(toVisit.back());
+    const BvhNode& nodeB = b.nodes.at(toVisit.back());
+    toVisit.pop_back();
+    ASSERT_EQ(nodeA.box.lower, nodeB.box.lower);
+    ASSERT_EQ(nodeA.box.upper, nodeB.box.upper);
+    ASSERT_EQ(nodeA.count, nodeB.count);
+    if (nodeA.count > 0) {
+      ASSERT_EQ(nodeA.first, nodeB.first);
+      continue;
+    }
+    ASSERT_EQ(nodeA.left, nodeB.left);
+    ASSERT_EQ(nodeA.right, nodeB.right);
+    toVisit.insert(toVisit.end(), {nodeA.left, nodeA.right});
   }
 }
 
 TEST(Bvh, IsSoundForSmallAndLargeInput) {
-  for (const std::size_t count : {1, 2, 3, 8, 9, 100, 1000, 40000}) {
+  for (const std::size_t count : {1, 2, 3, 8, 9, 32, 33, 100, 1000, 40000}) {
     SCOPED_TRACE(count);
     const std::vector<Box> boxes = randomBoxes(count, 100.0F, 3.0F, 1);
     expectSound(buildBvh(boxes, 2), boxes);

@@ -1,101 +1,60 @@
 #include "core/bvh.hpp"
 
+#include <algorithm>
 #include <array>
-#include <bit>
+#include <atomic>
 #include <cassert>
-#include <cmath>
-#include <numeric>
 #include <optional>
+#include <utility>
 
+#include "core/bvh_bins.hpp"
+#include "core/bvh_range.hpp"
+#include "core/bvh_sweep.hpp"
 #include "core/parallel.hpp"
 #include "interface.h"
 
 namespace lavaray {
 namespace {
 
-constexpr int kBins = 32;
-// Ranges above this size are split one after the other, each by all threads; below it a whole subtree is one
-// thread's work. Ranges are scanned in chunks of a fixed size. Neither depends on the number of threads, and
-// boxes and counts add up to the same in any order, so neither does the tree.
+// Ranges above this size are split level by level, all of a level together by all threads; a smaller one's
+// subtree is one thread's work. Ranges are scanned in chunks of a fixed size. Neither size depends on the
+// number of threads, and boxes and counts add up to the same in any order, so neither does the tree.
 constexpr std::uint32_t kSubtreeSize = 8192;
 constexpr std::uint32_t kChunkSize = 16384;
+// Leaves are made by sweeps only, and those are within subtrees.
+static_assert(gpu::kMaxLeafSize <= kMaxSweepSize && kMaxSweepSize <= kSubtreeSize);
 
-// order[first .. first + count - 1], to become the subtree whose root is `node` and whose nodes are among the
-// 2 count - 1 from there on.
-struct Range {
-  std::uint32_t node;
+struct Chunk {
+  std::size_t range;  // which of several
   std::uint32_t first;
   std::uint32_t count;
-  std::uint32_t depth;  // inner nodes above
 };
 
-struct Bounds {
-  Box box;
-  Box centroids;  // doubled
-
-  void extend(const Bounds& other) {
-    box.extend(other.box);
-    centroids.extend(other.centroids);
-  }
-};
-
-struct Bin {
-  Box box;
-  std::uint32_t count = 0;
-};
-
-using Bins = std::array<std::array<Bin, kBins>, 3>;
-
-struct Split {
-  int axis;
-  int lastLeftBin;
-  float cost;  // half area times primitives, summed over the two sides
-};
-
-// Maps doubled centroids to bins; an axis without extent, or with one too small to divide by, has scale 0.
-class BinMapping {
- public:
-  explicit BinMapping(const Box& centroids) : lower_(centroids.lower) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const float scale = static_cast<float>(kBins) / (centroids.upper[axis] - centroids.lower[axis]);
-      scale_[axis] = std::isfinite(scale) ? scale : 0.0F;
+std::vector<Chunk> chunksOf(std::span<const Range> ranges) {
+  std::vector<Chunk> chunks;
+  for (std::size_t r = 0; r < ranges.size(); ++r) {
+    for (std::uint32_t begin = 0; begin < ranges[r].count; begin += kChunkSize) {
+      chunks.push_back({r, ranges[r].first + begin, std::min(kChunkSize, ranges[r].count - begin)});
     }
   }
-  [[nodiscard]] bool canSplit(int axis) const { return scale_[axis] > 0.0F; }
-  [[nodiscard]] int bin(const glm::vec3& doubledCentroid, int axis) const {
-    return std::min(kBins - 1, static_cast<int>((doubledCentroid[axis] - lower_[axis]) * scale_[axis]));
-  }
-
- private:
-  glm::vec3 lower_;
-  glm::vec3 scale_{0.0F};
-};
-
-// Halvings that bring `count` primitives down to leaves.
-std::uint32_t levelsNeeded(std::uint32_t count) {
-  const std::uint32_t leaves = (count + gpu::kMaxLeafSize - 1) / gpu::kMaxLeafSize;
-  return static_cast<std::uint32_t>(std::bit_width(leaves - 1));
+  return chunks;
 }
 
 class Builder {
  public:
-  Builder(std::span<const Box> boxes, unsigned threads) : boxes_(boxes), threads_(threads) {
-    bvh_.nodes.resize(2 * boxes.size() - 1);
-    bvh_.order.resize(boxes.size());
-    std::iota(bvh_.order.begin(), bvh_.order.end(), 0U);
+  Builder(std::size_t primitives, unsigned threads) : threads_(threads), references_(primitives) {
+    bvh_.nodes.resize(2 * primitives - 1);
+    bvh_.order.resize(primitives);
   }
 
-  Bvh build() {
-    std::vector<Range> large{{0, 0, static_cast<std::uint32_t>(boxes_.size()), 0}};
+  Bvh build(std::span<const Box> boxes) {
+    std::vector<Range> level{makeReferences(boxes)};
     std::vector<Range> subtrees;
-    while (!large.empty()) {
-      const Range range = large.back();
-      large.pop_back();
-      if (range.count <= kSubtreeSize) {
-        subtrees.push_back(range);
-      } else if (const auto children = divide(range, threads_)) {
-        large.insert(large.end(), children->begin(), children->end());
-      }
+    while (!level.empty()) {
+      const auto large = std::partition(level.begin(), level.end(),
+                                        [](const Range& range) { return range.count <= kSubtreeSize; });
+      subtrees.insert(subtrees.end(), level.begin(), large);
+      level = splitAll({large, level.end()});
     }
     parallelFor(subtrees.size(), threads_, [&](std::size_t i) { buildSubtree(subtrees[i]); });
     bvh_.largestCoincidentGroup = largestCoincidentGroup_;
@@ -103,138 +62,117 @@ class Builder {
   }
 
  private:
-  void buildSubtree(const Range& range) {
-    const auto children = divide(range, 1);
-    if (!children) return;
-    for (const Range& child : *children) buildSubtree(child);
-  }
-
-  // Makes the range's node: an inner node, whose children's ranges are returned, or a leaf.
-  std::optional<std::array<Range, 2>> divide(const Range& range, unsigned threads) {
-    const Bounds bounds = measureBounds(range, threads);
-    BvhNode& node = bvh_.nodes[range.node];
-    node.box = bounds.box;
-
-    const BinMapping mapping(bounds.centroids);
-    const std::optional<Split> split = range.count > 1 ? bestSplit(range, mapping, threads) : std::nullopt;
-    const float area = halfArea(bounds.box);
-    const bool splitPays = split && area + split->cost < static_cast<float>(range.count) * area;
-    if (range.count <= gpu::kMaxLeafSize && (!splitPays || range.depth == gpu::kMaxBvhDepth)) {
-      node.count = range.count;
-      node.first = range.first;
-      return std::nullopt;
-    }
-
-    const bool depthAllowsSah = range.depth + levelsNeeded(range.count) < gpu::kMaxBvhDepth;
-    const std::uint32_t leftCount = split && depthAllowsSah ? partition(range, mapping, *split)
-                                                            : partitionAtMedian(range, bounds.centroids);
-    const Range left{range.node + 1, range.first, leftCount, range.depth + 1};
-    const Range right{range.node + 2 * leftCount, range.first + leftCount, range.count - leftCount,
-                      range.depth + 1};
-    node.left = left.node;
-    node.right = right.node;
-    return std::array{left, right};
-  }
-
-  // Calls scan(begin, end, result) for each chunk of the range and adds the results up with merge(a, b).
-  template <typename Result, typename Scan, typename Merge>
-  Result scanChunks(const Range& range, unsigned threads, const Scan& scan, const Merge& merge) const {
-    const std::size_t chunks = (range.count + kChunkSize - 1) / kChunkSize;
-    std::vector<Result> results(chunks);
-    parallelFor(chunks, threads, [&](std::size_t chunk) {
-      const auto begin = static_cast<std::uint32_t>(range.first + chunk * kChunkSize);
-      scan(begin, std::min(begin + kChunkSize, range.first + range.count), results[chunk]);
-    });
-    for (std::size_t chunk = 1; chunk < chunks; ++chunk) merge(results[0], results[chunk]);
-    return results[0];
-  }
-
-  [[nodiscard]] Bounds measureBounds(const Range& range, unsigned threads) const {
-    return scanChunks<Bounds>(
-        range, threads,
-        [&](std::uint32_t begin, std::uint32_t end, Bounds& bounds) {
-          for (std::uint32_t i = begin; i < end; ++i) {
-            const Box& box = boxes_[bvh_.order[i]];
-            bounds.box.extend(box);
-            bounds.centroids.extend(box.doubledCentroid());
-          }
-        },
-        [](Bounds& sum, const Bounds& part) { sum.extend(part); });
-  }
-
-  [[nodiscard]] Bins fillBins(const Range& range, const BinMapping& mapping, unsigned threads) const {
-    return scanChunks<Bins>(
-        range, threads,
-        [&](std::uint32_t begin, std::uint32_t end, Bins& bins) {
-          for (std::uint32_t i = begin; i < end; ++i) {
-            const Box& box = boxes_[bvh_.order[i]];
-            const glm::vec3 centroid = box.doubledCentroid();
-            for (int axis = 0; axis < 3; ++axis) {
-              Bin& bin = bins[axis][mapping.bin(centroid, axis)];
-              bin.box.extend(box);
-              ++bin.count;
-            }
-          }
-        },
-        [](Bins& sum, const Bins& part) {
-          for (int axis = 0; axis < 3; ++axis) {
-            for (int bin = 0; bin < kBins; ++bin) {
-              sum[axis][bin].box.extend(part[axis][bin].box);
-              sum[axis][bin].count += part[axis][bin].count;
-            }
-          }
-        });
-  }
-
-  // The split with the lowest cost that leaves neither side empty; nothing where all centroids coincide.
-  [[nodiscard]] std::optional<Split> bestSplit(const Range& range, const BinMapping& mapping,
-                                               unsigned threads) const {
-    const Bins bins = fillBins(range, mapping, threads);
-    std::optional<Split> best;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!mapping.canSplit(axis)) continue;
-      std::array<float, kBins> rightCost{};
-      Bin right;
-      for (int i = kBins - 1; i > 0; --i) {
-        right.box.extend(bins[axis][i].box);
-        right.count += bins[axis][i].count;
-        rightCost[i] = right.count > 0 ? halfArea(right.box) * static_cast<float>(right.count) : 0.0F;
+  // Returns the range of all.
+  Range makeReferences(std::span<const Box> boxes) {
+    Range all{0, 0, static_cast<std::uint32_t>(boxes.size()), 0, {}};
+    const std::vector<Chunk> chunks = chunksOf(std::span(&all, 1));
+    std::vector<Bounds> bounds(chunks.size());
+    parallelFor(chunks.size(), threads_, [&](std::size_t c) {
+      for (std::uint32_t i = chunks[c].first; i < chunks[c].first + chunks[c].count; ++i) {
+        references_[i] = makeReference(boxes[i], i);
+        bounds[c].extend(references_[i]);
       }
-      Bin left;
-      for (int i = 0; i + 1 < kBins; ++i) {
-        left.box.extend(bins[axis][i].box);
-        left.count += bins[axis][i].count;
-        if (left.count == 0 || left.count == range.count) continue;
-        const float cost = halfArea(left.box) * static_cast<float>(left.count) + rightCost[i + 1];
-        if (!best || cost < best->cost) best = Split{axis, i, cost};
-      }
-    }
-    return best;
-  }
-
-  // Both partitions return the number of primitives on the left.
-  std::uint32_t partition(const Range& range, const BinMapping& mapping, const Split& split) {
-    const auto begin = bvh_.order.begin() + range.first;
-    const auto middle = std::partition(begin, begin + range.count, [&](std::uint32_t i) {
-      return mapping.bin(boxes_[i].doubledCentroid(), split.axis) <= split.lastLeftBin;
     });
-    return static_cast<std::uint32_t>(middle - begin);
+    for (const Bounds& part : bounds) all.bounds.extend(part);
+    return all;
   }
 
-  std::uint32_t partitionAtMedian(const Range& range, const Box& centroids) {
-    const glm::vec3 size = centroids.upper - centroids.lower;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  [[nodiscard]] std::span<Reference> references(std::uint32_t first, std::uint32_t count) {
+    return std::span(references_).subspan(first, count);
+  }
+
+  // Makes an inner node of each range, and returns their children.
+  std::vector<Range> splitAll(std::span<const Range> ranges) {
+    const std::vector<Chunk> chunks = chunksOf(ranges);
+    const std::vector<BinMapping> mappings(ranges.begin(), ranges.end());
+    std::vector<Bins> parts(chunks.size(), Bins(kMaxBins));
+    parallelFor(chunks.size(), threads_, [&](std::size_t c) {
+      parts[c].add(references(chunks[c].first, chunks[c].count), mappings[chunks[c].range]);
+    });
+    std::vector<Bins> bins(ranges.size(), Bins(kMaxBins));
+    for (std::size_t c = 0; c < chunks.size(); ++c) bins[chunks[c].range].add(parts[c]);
+
+    std::vector<Range> children(2 * ranges.size());
+    parallelFor(ranges.size(), threads_, [&](std::size_t r) {
+      const auto [left, right] = split(ranges[r], mappings[r], bins[r]);
+      makeInnerNode(ranges[r], left.node, right.node);
+      children[2 * r] = left;
+      children[2 * r + 1] = right;
+    });
+    return children;
+  }
+
+  // Returns the index after the subtree's last node.
+  std::uint32_t buildSubtree(const Range& range) {
+    if (range.count <= kMaxSweepSize) return buildBySweep(references(range.first, range.count), range, bvh_);
+    const BinMapping mapping(range);
+    Bins bins(mapping.bins);
+    bins.add(references(range.first, range.count), mapping);
+    auto [left, right] = split(range, mapping, bins);
+    right.node = buildSubtree(left);  // no gap after the left subtree, whose size is now known
+    makeInnerNode(range, left.node, right.node);
+    return buildSubtree(right);
+  }
+
+  void makeInnerNode(const Range& range, std::uint32_t left, std::uint32_t right) {
+    bvh_.nodes[range.node] = {range.bounds.box.unpadded(), 0, 0, left, right};
+  }
+
+  std::array<Range, 2> split(const Range& range, const BinMapping& mapping, const Bins& bins) {
+    const std::optional<BinSplit> best = bestSplit(bins, mapping);
+    if (best && depthAllowsAnySplit(range.depth, range.count)) return splitAtBin(range, mapping, bins, *best);
+    return splitAtMedian(range);
+  }
+
+  // The partition is Lomuto's: its loop has no branch to mispredict.
+  std::array<Range, 2> splitAtBin(const Range& range, const BinMapping& mapping, const Bins& bins,
+                                  const BinSplit& split) {
+    const std::span<Reference> all = references(range.first, range.count);
+    std::uint32_t leftCount = 0;
+    for (Reference& reference : all) {
+      const bool isLeft = mapping.bin(reference, split.axis) <= split.lastLeftBin;
+      std::swap(reference, all[leftCount]);
+      leftCount += isLeft ? 1 : 0;
+    }
+    std::array<Range, 2> children = childrenOf(range, leftCount);
+    children[0].bounds.box = bins.boxOf(split.axis, 0, split.lastLeftBin);
+    children[1].bounds.box = bins.boxOf(split.axis, split.lastLeftBin + 1, bins.size - 1);
+    for (Range& child : children) {
+      PaddedBox centroids = emptyBox();
+      for (const Reference& reference : references(child.first, child.count)) {
+        centroids.extend(reference.box.doubledCentroid());
+      }
+      child.bounds.centroids = centroids;
+    }
+    return children;
+  }
+
+  std::array<Range, 2> splitAtMedian(const Range& range) {
+    const Float4 size = range.bounds.centroids.upper - range.bounds.centroids.lower;
+    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : (size[1] >= size[2] ? 1 : 2);
     const bool coincident = size[axis] == 0.0F;
     if (coincident) noteCoincidentGroup(range.count);
     // Boxes about one centre are told apart by size, and equal ones by index, so that the order is total.
-    const auto key = [&](std::uint32_t i) {
-      return coincident ? halfArea(boxes_[i]) : boxes_[i].doubledCentroid()[axis];
+    const auto key = [&](const Reference& reference) {
+      const PaddedBox& box = reference.box;
+      return std::pair(coincident ? halfArea(box) : box.doubledCentroid(axis), reference.primitive());
     };
-    const auto begin = bvh_.order.begin() + range.first;
-    std::nth_element(
-        begin, begin + range.count / 2, begin + range.count,
-        [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
-    return range.count / 2;
+    const auto begin = references_.begin() + range.first;
+    std::nth_element(begin, begin + range.count / 2, begin + range.count,
+                     [&](const Reference& a, const Reference& b) { return key(a) < key(b); });
+    std::array<Range, 2> children = childrenOf(range, range.count / 2);
+    for (Range& child : children) {
+      for (const Reference& reference : references(child.first, child.count)) child.bounds.extend(reference);
+    }
+    return children;
+  }
+
+  // The two parts of a range, but for their bounds. The right one's nodes leave room for any tree of the
+  // left.
+  static std::array<Range, 2> childrenOf(const Range& range, std::uint32_t leftCount) {
+    const std::uint32_t rightCount = range.count - leftCount;
+    return {{{range.node + 1, range.first, leftCount, range.depth + 1, {}},
+             {range.node + 2 * leftCount, range.first + leftCount, rightCount, range.depth + 1, {}}}};
   }
 
   void noteCoincidentGroup(std::uint32_t count) {
@@ -243,9 +181,9 @@ class Builder {
     }
   }
 
-  std::span<const Box> boxes_;
   unsigned threads_;
   Bvh bvh_;
+  std::vector<Reference> references_;
   std::atomic<std::uint32_t> largestCoincidentGroup_{0};
 };
 
@@ -270,7 +208,7 @@ void measureNode(const Bvh& bvh, std::uint32_t index, unsigned depth, double roo
 
 Bvh buildBvh(std::span<const Box> boxes, unsigned threads) {
   assert(!boxes.empty() && boxes.size() <= gpu::kMaxReference);
-  return Builder(boxes, threads).build();
+  return Builder(boxes.size(), threads).build(boxes);
 }
 
 BvhQuality measure(const Bvh& bvh) {

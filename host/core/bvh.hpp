@@ -25,10 +25,10 @@ struct Bvh {
   std::uint32_t largestCoincidentGroup = 0;
 };
 
-// Builds top-down, choosing each split by the surface area heuristic over 32 bins an axis. `boxes` is not
-// empty and its coordinates are finite. No path has more than gpu::kMaxBvhDepth inner nodes and no leaf more
-// than gpu::kMaxLeafSize primitives. `threads` >= 1 changes the time, never the result.
-// Based on: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007.
+// Builds top-down, choosing each split by the surface area heuristic: over bins where there are many
+// primitives (bvh_bins.hpp), over all splits where there are few (bvh_sweep.hpp). `boxes` is not empty and
+// its coordinates are finite. No path has more than gpu::kMaxBvhDepth inner nodes and no leaf more than
+// gpu::kMaxLeafSize primitives. `threads` >= 1 changes the time, never the result.
 Bvh buildBvh(std::span<const Box> boxes, unsigned threads);
 
 struct BvhQuality {

@@ -99,6 +99,19 @@ TEST(BvhCost, IsAtMostFivePercentAboveAFullSweep) {
   }
 }
 
+// Down there the builder tries every split itself.
+TEST(BvhCost, IsThatOfAFullSweepForFewPrimitives) {
+  double worst = 1.0;
+  for (std::size_t count = 1; count <= 32; ++count) {
+    const std::vector<Box> boxes = randomBoxes(count, 10.0F, 3.0F, static_cast<unsigned>(count));
+    const Bvh bvh = buildBvh(boxes, 1);
+    const double best = fullSweepCost(boxes) / double{halfArea(bvh.nodes[0].box)};
+    EXPECT_NEAR(measure(bvh).sahCost, best, 1e-5 * best) << count << " primitives";
+    worst = std::max(worst, measure(bvh).sahCost / best);
+  }
+  report("1 to 32 boxes: ratio at most " + shortNumber(worst));
+}
+
 // The traversal's stack has an entry for each inner node of the longest path.
 void expectShallow(const std::string& name, const std::vector<Box>& boxes) {
   const Bvh bvh = buildBvh(boxes, 2);
