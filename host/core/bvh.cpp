@@ -183,7 +183,7 @@ class Builder {
 
   unsigned threads_;
   Bvh bvh_;
-  std::vector<Reference> references_;
+  UninitializedVector<Reference> references_;
   std::atomic<std::uint32_t> largestCoincidentGroup_{0};
 };
 

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "core/box.hpp"
+#include "core/uninitialized_vector.hpp"
 
 namespace lavaray {
 
 // A binary bounding volume hierarchy as it is built: it knows boxes, not what is in them. Node 0 is the root.
-// The array has gaps, so it is walked from the root and not by index.
+// The array has gaps of any content, so it is walked from the root and not by index.
 struct BvhNode {
   Box box;
   std::uint32_t count = 0;  // of a leaf: its primitives, Bvh::order[first .. first + count - 1]
@@ -19,8 +20,8 @@ struct BvhNode {
 };
 
 struct Bvh {
-  std::vector<BvhNode> nodes;
-  std::vector<std::uint32_t> order;  // permutation of the primitives, grouped by leaf
+  UninitializedVector<BvhNode> nodes;
+  UninitializedVector<std::uint32_t> order;  // permutation of the primitives, grouped by leaf
   // Size of the largest group of primitives with one common centroid that had to be divided all the same.
   std::uint32_t largestCoincidentGroup = 0;
 };
