@@ -15,7 +15,7 @@ void main() {
   if (index >= constants.width * constants.height) return;
   const vec2 pixel = vec2(index % constants.width, index / constants.width);
   const Ray ray = cameraRay(pixel + 0.5, 0.5 * vec2(constants.width, constants.height), constants.focalLength);
-  PathState path = PathState(vec3(0.0), 0u, 0u);
+  PathState path = PathState(vec3(0.0), 0u, 0u, 0u);
   RayCounts counts = RayCounts(0u, 0u, 0u);
   const PathSettings settings = PathSettings(constants.maxDepth, 0u, index);
   const bool finished = tracePath(ray, settings, path, counts);
