@@ -27,7 +27,7 @@ class AdaptiveSampling {
                    std::vector<std::uint64_t> smallObjects);
 
   // The samples to take next; none where the target is reached or nothing more is allowed. All of them must
-  // be added, in this order, before the next call.
+  // be added, in any order, before the next call.
   std::vector<gpu::WorkItem> nextItems();
   void add(const gpu::WorkItem& item, const gpu::WorkResult& result);
 
