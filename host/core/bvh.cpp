@@ -40,6 +40,24 @@ std::vector<Chunk> chunksOf(std::span<const Range> ranges) {
   return chunks;
 }
 
+// Orders references by centroid on the axis where those of a range extend furthest, or by size where they
+// coincide; then by index, so that the order is total.
+struct Order {
+  int axis;
+  bool isBySize;
+
+  explicit Order(const PaddedBox& centroids) {
+    const Float4 size = centroids.upper - centroids.lower;
+    axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : (size[1] >= size[2] ? 1 : 2);
+    isBySize = size[axis] == 0.0F;
+  }
+  [[nodiscard]] std::pair<float, std::uint32_t> key(const Reference& reference) const {
+    const PaddedBox& box = reference.box;
+    return {isBySize ? halfArea(box) : box.doubledCentroid(axis), reference.primitive()};
+  }
+  bool operator()(const Reference& a, const Reference& b) const { return key(a) < key(b); }
+};
+
 class Builder {
  public:
   Builder(std::size_t primitives, unsigned threads) : threads_(threads), references_(primitives) {
@@ -104,7 +122,7 @@ class Builder {
 
   // Returns the index after the subtree's last node.
   std::uint32_t buildSubtree(const Range& range) {
-    if (range.count <= kMaxSweepSize) return buildBySweep(references(range.first, range.count), range, bvh_);
+    if (range.count <= kMaxSweepSize) return sweepSubtree(range);
     const BinMapping mapping(range);
     Bins bins(mapping.bins);
     bins.add(references(range.first, range.count), mapping);
@@ -112,6 +130,14 @@ class Builder {
     right.node = buildSubtree(left);  // no gap after the left subtree, whose size is now known
     makeInnerNode(range, left.node, right.node);
     return buildSubtree(right);
+  }
+
+  std::uint32_t sweepSubtree(const Range& range) {
+    const std::span<Reference> all = references(range.first, range.count);
+    // Sweeping keeps the order of references with one centroid.
+    const Order order(range.bounds.centroids);
+    if (order.isBySize) std::sort(all.begin(), all.end(), order);
+    return buildBySweep(all, range, bvh_);
   }
 
   void makeInnerNode(const Range& range, std::uint32_t left, std::uint32_t right) {
@@ -148,18 +174,10 @@ class Builder {
   }
 
   std::array<Range, 2> splitAtMedian(const Range& range) {
-    const Float4 size = range.bounds.centroids.upper - range.bounds.centroids.lower;
-    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : (size[1] >= size[2] ? 1 : 2);
-    const bool coincident = size[axis] == 0.0F;
-    if (coincident) noteCoincidentGroup(range.count);
-    // Boxes about one centre are told apart by size, and equal ones by index, so that the order is total.
-    const auto key = [&](const Reference& reference) {
-      const PaddedBox& box = reference.box;
-      return std::pair(coincident ? halfArea(box) : box.doubledCentroid(axis), reference.primitive());
-    };
-    const auto begin = references_.begin() + range.first;
-    std::nth_element(begin, begin + range.count / 2, begin + range.count,
-                     [&](const Reference& a, const Reference& b) { return key(a) < key(b); });
+    const Order order(range.bounds.centroids);
+    if (order.isBySize) noteCoincidentGroup(range.count);
+    const std::span<Reference> all = references(range.first, range.count);
+    std::nth_element(all.begin(), all.begin() + range.count / 2, all.end(), order);
     std::array<Range, 2> children = childrenOf(range, range.count / 2);
     for (Range& child : children) {
       for (const Reference& reference : references(child.first, child.count)) child.bounds.extend(reference);

@@ -33,15 +33,17 @@ class SweepBuilder {
     PaddedBox box;
     // Two primitives can be split only one way.
     for (int axis = 0; axis < (count > 2 ? 3 : 1); ++axis) box = sweep(axis, begin, end, best);
-    if (!depthAllowsAnySplit(depth, count)) best = {kInfinity, best.axis, (begin + end) / 2};
 
     const float area = halfArea(box);
-    const bool splitPays = area + best.cost < static_cast<float>(count) * area;
-    if (count <= gpu::kMaxLeafSize && !splitPays) {
+    const float leafCost = static_cast<float>(count) * area;
+    const bool anySplit = depthAllowsAnySplit(depth, count);
+    if (count <= gpu::kMaxLeafSize && (!anySplit || area + best.cost >= leafCost)) {
       const std::uint32_t first = first_ + static_cast<std::uint32_t>(begin);
       for (int i = begin; i < end; ++i) bvh_.order[first_ + i] = at(0, i).primitive();
       bvh_.nodes[index] = {box.unpadded(), count, first, 0, 0};
     } else {
+      // Where no split gains anything, as among equal boxes, the tree shall at least be low.
+      if (!anySplit || best.cost >= leafCost) best.middle = (begin + end) / 2;
       partition(best, begin, end);
       const std::uint32_t left = build(begin, best.middle, depth + 1);
       const std::uint32_t right = build(best.middle, end, depth + 1);
