@@ -204,8 +204,9 @@ struct WorkResult {
 };
 LAVARAY_SIZE(WorkResult, 16);
 
-// How far an unfinished work item has come: its finished samples with their sums, and of the one under way the path's colour so
-// far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i), and its rays so far.
+// How far an unfinished work item has come: its finished samples with their sums, and of the one under way the
+// path's colour so far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i), and its
+// rays so far.
 struct WorkState {
   vec3 sum;
   uint taken;  // samples

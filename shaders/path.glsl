@@ -42,10 +42,11 @@ uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 
   return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
 }
 
-// The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns false where the device ended the
-// search for shadows.
+// The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns false
+// where the device ended the search for shadows.
 bool lightTerm(Light light, SurfacePoint point, uint surface, Material material, vec3 toViewer,
-               PathSettings settings, uint seed, uint lightDirections, bool showsAny, inout RayCounts counts, out vec3 term) {
+               PathSettings settings, uint seed, uint lightDirections, bool showsAny, inout RayCounts counts,
+               out vec3 term) {
   const uint directions = light.radius > 0.0 ? lightDirections : 1u;
   term = vec3(0.0);
   bool finished;

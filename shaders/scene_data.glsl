@@ -1,8 +1,8 @@
 // The scene's arrays, and the functions that read them.
 //
-// Nodes, primitives, their planes and normals are read through texel buffer views: on lavapipe a texel fetch is a few wide
-// loads where a storage buffer load is a branch for every component of every lane. The texels are integers, so
-// that no driver takes an index for a denormal float and flushes it.
+// Nodes, primitives, their planes and normals are read through texel buffer views: on lavapipe a texel fetch is a
+// few wide loads where a storage buffer load is a branch for every component of every lane. The texels are integers,
+// so that no driver takes an index for a denormal float and flushes it.
 #ifndef SCENE_DATA_GLSL
 #define SCENE_DATA_GLSL
 
