@@ -87,7 +87,8 @@ ExitCode renderScene(const Options& options, const Scene& scene, FutureDevice fu
   vulkan::Device& device = open->device;
   if (options.verbose) std::cerr << "device: " << device.description().name << '\n';
   times.endStep("wait for device");
-  RenderResult result = render(device, gpuScene, scene.camera, settings, interrupted);
+  const auto proceed = [&](const RenderInProgress&) { return !interrupted; };
+  RenderResult result = render(device, gpuScene, scene.camera, settings, proceed);
   times.endStep("render");
 
   const TextEntries origin =

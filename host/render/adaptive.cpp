@@ -19,6 +19,9 @@ constexpr int kHardnessSteps = 256;
 constexpr int kSampleSteps = 24;
 // In one pass a pixel's samples grow at most by this factor, as the first estimates are rough; log2.
 constexpr int kLargestGrowthLog2 = 2;
+// All samples of a render over those it begins with, as long as nothing is known of the image; for the
+// progress.
+constexpr double kUsualGrowth = 4.0;
 // Samples of each half to begin with.
 constexpr std::uint32_t kFirstHalfSamples = 1;
 
@@ -145,6 +148,7 @@ std::vector<gpu::WorkItem> AdaptiveSampling::nextItems() {
   if (!hasStarted_) {
     hasStarted_ = true;
     appendFirstSamples(items);
+    for (const gpu::WorkItem& item : items) plannedSamples_ += kUsualGrowth * item.count;
     return items;
   }
   estimateHardness();
@@ -153,9 +157,12 @@ std::vector<gpu::WorkItem> AdaptiveSampling::nextItems() {
   estimatedError_ = std::sqrt(plannedVariance(all, INFINITY));
   if (reachedTarget()) return items;
   const double price = choosePrice(all);
+  plannedSamples_ = 0.0;
   for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
     const int now = sampleStepOf(samples(pixel));
-    const int step = std::min(plannedStep(hardnessSteps_[pixel], now, price), now + kLargestGrowthLog2);
+    const int planned = plannedStep(hardnessSteps_[pixel], now, price);
+    plannedSamples_ += std::exp2(planned);
+    const int step = std::min(planned, now + kLargestGrowthLog2);
     appendSamples(items, pixel, (1U << static_cast<unsigned>(step)) / 2);
   }
   return items;

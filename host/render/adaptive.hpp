@@ -34,6 +34,8 @@ class AdaptiveSampling {
   [[nodiscard]] bool reachedTarget() const { return estimatedError_ <= goal_; }
   [[nodiscard]] double estimatedError() const { return estimatedError_; }  // RMSE over pixels and channels
   [[nodiscard]] double estimatedError(std::uint64_t pixel) const;
+  // Of the whole render, by the present plan.
+  [[nodiscard]] double plannedSamples() const { return plannedSamples_; }
   [[nodiscard]] glm::dvec3 mean(std::uint64_t pixel) const;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const;
 
@@ -76,6 +78,7 @@ class AdaptiveSampling {
   double goal_;
   int maxSampleStep_;
   double estimatedError_ = 1.0;
+  double plannedSamples_ = 0.0;
   bool hasStarted_ = false;
   std::vector<Pixel> pixels_;
   std::vector<std::uint64_t> smallObjects_;

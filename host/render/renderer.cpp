@@ -2,200 +2,152 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
-#include "render/adaptive.hpp"
+#include "render/center_sampling.hpp"
 #include "render/covered_part.hpp"
-#include "render/pixel_sum.hpp"
+#include "render/fixed_sampling.hpp"
 #include "render/small_objects.hpp"
+#include "render/target_sampling.hpp"
 
 namespace lavaray {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A fixed number of samples is taken in rounds of so many a pixel at most, so that a render that is stopped
-// has about the same number everywhere. The first rounds are small: a pixel without a sample is black.
-constexpr std::uint32_t kRoundSamples = 64;
+std::uint64_t pixelsOf(const Rectangle& part) {
+  return static_cast<std::uint64_t>(part.x1 - part.x0) * static_cast<std::uint64_t>(part.y1 - part.y0);
+}
 
-class Render {
+// The part of the crop to trace; all else is black. The plan for a target error and the other views are about
+// all pixels.
+Rectangle tracedPart(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
+  if (settings.targetError || settings.view != View::kColor || !settings.specialized) return settings.crop;
+  return coveredPart(scene, camera, settings);
+}
+
+SampleRange sampleRange(const RenderSettings& settings) {
+  return {settings.firstSample, settings.samples};
+}
+
+std::unique_ptr<Sampling> makeSampling(const GpuScene& scene, const Camera& camera,
+                                       const RenderSettings& settings) {
+  const Rectangle& part = settings.crop;
+  if (settings.targetError) {
+    return std::make_unique<TargetSampling>(AdaptiveSampling(part.x1 - part.x0, part.y1 - part.y0,
+                                                             *settings.targetError, settings.maxSamples,
+                                                             pixelsOfSmallObjects(scene, camera, settings)));
+  }
+  if (settings.samples == 1) return std::make_unique<CenterSampling>(pixelsOf(part), settings.view);
+  return std::make_unique<FixedSampling>(pixelsOf(part), sampleRange(settings), settings.view);
+}
+
+// About the most items of a pass.
+std::uint64_t mostItems(const RenderSettings& settings) {
+  const std::uint64_t pixels = pixelsOf(settings.crop);
+  if (settings.targetError) return 2 * pixels;
+  return FixedSampling::mostItems(pixels, sampleRange(settings));
+}
+
+// One render of settings.crop, of which it traces the part that can show anything.
+class Render : public RenderInProgress {
  public:
-  Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings,
-         const std::atomic<bool>& interrupted)
-      : scene_(scene),
-        camera_(camera),
-        settings_(settings),
-        interrupted_(interrupted),
-        width_(settings.crop.x1 - settings.crop.x0),
-        height_(settings.crop.y1 - settings.crop.y0),
-        pixels_(static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_)),
-        tracer_(device, scene, camera, settings, pixels_ * itemsPerPixel()) {
-    result_.image = {width_, height_, std::vector<float>(3 * pixels_)};
+  Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings)
+      : crop_(settings.crop), settings_(settings) {
+    settings_.crop = tracedPart(scene, camera, settings);
+    if (pixelsOf(settings_.crop) == 0) return;
+    sampling_ = makeSampling(scene, camera, settings_);
+    tracer_.emplace(device, scene, camera, settings_, mostItems(settings_));
   }
 
-  RenderResult run() {
-    if (settings_.targetError) {
-      renderToTarget();
-    } else if (settings_.samples == 1) {
-      renderCenters();
-    } else {
-      renderSamples();
+  RenderResult run(const Proceed& proceed) {
+    RenderResult result;
+    if (sampling_) result.stopReason = trace(proceed);
+    result.image = image();
+    result.skippedPixels = pixelsOf(crop_) - pixelsOf(settings_.crop);
+    if (!sampling_) return result;
+    result.estimatedError = sampling_->estimatedError();
+    result.mostSamples = mostSamples();
+    result.counts = tracer_->counts();
+    result.deviceBytes = tracer_->deviceBytes();
+    return result;
+  }
+
+  [[nodiscard]] double shareDone() const override { return sampling_->shareDone(); }
+  [[nodiscard]] double samplesPerPixel() const override {
+    return static_cast<double>(tracer_->counts().samples) / static_cast<double>(pixelsOf(crop_));
+  }
+  [[nodiscard]] double estimatedError() const override { return sampling_->estimatedError(); }
+
+  [[nodiscard]] Image image() const override {
+    const Rectangle& part = settings_.crop;
+    Image traced{part.x1 - part.x0, part.y1 - part.y0, std::vector<float>(3 * pixelsOf(part))};
+    const std::uint32_t most = settings_.view == View::kSamples ? mostSamples() : 1;
+    for (std::uint64_t pixel = 0; pixel < pixelsOf(part); ++pixel) {
+      const glm::vec3 color = shown(pixel, most);
+      for (int channel = 0; channel < 3; ++channel) traced.rgb[3 * pixel + channel] = color[channel];
     }
-    if (isMeasure(settings_.view)) normalize(result_.image);
-    result_.counts = tracer_.counts();
-    result_.deviceBytes = tracer_.deviceBytes();
-    return std::move(result_);
+    if (isMeasure(settings_.view)) normalize(traced);
+    Image whole{crop_.x1 - crop_.x0, crop_.y1 - crop_.y0, {}};
+    if (whole.width == traced.width && whole.height == traced.height) return traced;
+    whole.rgb.resize(3 * pixelsOf(crop_));
+    paste(traced, part.x0 - crop_.x0, part.y0 - crop_.y0, whole);
+    return whole;
   }
 
  private:
-  // Work items of a pixel in one round.
-  [[nodiscard]] std::uint64_t itemsPerPixel() const {
-    if (settings_.targetError) return 2;
-    return (std::min(settings_.samples, kRoundSamples) + gpu::kMaxSamplesPerItem - 1) /
-           gpu::kMaxSamplesPerItem;
-  }
-
-  bool shouldStop() {
-    if (interrupted_) {
-      result_.stopReason = StopReason::kInterrupted;
-      return true;
-    }
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (settings_.timeLimitSeconds && seconds >= *settings_.timeLimitSeconds) {
-      result_.stopReason = StopReason::kTimeLimit;
-      return true;
-    }
-    return false;
-  }
-
-  void setPixel(std::uint64_t pixel, const glm::vec3& color) {
-    for (int channel = 0; channel < 3; ++channel) result_.image.rgb[3 * pixel + channel] = color[channel];
-  }
-
-  void renderCenters() {
-    tracer_.run(
-        pixels_, {},
-        [&](std::uint64_t pixel, const gpu::WorkResult& result) {
-          if (settings_.view == View::kSamples) {
-            setPixel(pixel, glm::vec3(1.0F));
-          } else if (isMeasure(settings_.view)) {
-            setPixel(pixel, glm::vec3(static_cast<float>(measure(settings_.view, result.sum))));
-          } else {
-            setPixel(pixel, result.sum);
-          }
-        },
-        [&] { return shouldStop(); });
-  }
-
-  void renderSamples() {
-    std::vector<PixelSum> sums(pixels_);
-    // Results come in the order of their items, so that these sums need no fixed point, which has bounds.
-    std::vector<glm::dvec3> measured(isMeasure(settings_.view) ? pixels_ : 0);
-    std::uint32_t done = 0;
-    while (done < settings_.samples) {
-      const std::uint32_t round = std::clamp(done, gpu::kMaxSamplesPerItem, kRoundSamples);
-      const std::uint32_t samples = std::min(round, settings_.samples - done);
-      const std::uint32_t items = (samples + gpu::kMaxSamplesPerItem - 1) / gpu::kMaxSamplesPerItem;
-      const auto makeItem = [&](std::uint64_t index) {
-        const auto offset = static_cast<std::uint32_t>(index % items) * gpu::kMaxSamplesPerItem;
-        return gpu::WorkItem{static_cast<gpu::uint>(index / items), 0, done + offset,
-                             std::min(gpu::kMaxSamplesPerItem, samples - offset)};
-      };
-      const auto takeResult = [&](std::uint64_t index, const gpu::WorkResult& result) {
-        const std::uint64_t pixel = index / items;
-        if (!measured.empty()) measured[pixel] += glm::dvec3(result.sum);
-        sums[pixel].add(measured.empty() ? result.sum : glm::vec3(0.0F), makeItem(index).count);
-      };
-      if (!tracer_.run(pixels_ * items, makeItem, takeResult, [&] { return shouldStop(); })) break;
-      done += samples;
-    }
-    const auto color = [&](std::uint64_t pixel) {
-      if (measured.empty()) return glm::vec3(sums[pixel].mean());
-      return glm::vec3(static_cast<float>(measure(settings_.view, measured[pixel])));
+  StopReason trace(const Proceed& proceed) {
+    const Clock::time_point start = Clock::now();
+    StopReason reason = StopReason::kFinished;
+    const auto stop = [&] {
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      if (!proceed(*this)) {
+        reason = StopReason::kInterrupted;
+      } else if (settings_.timeLimitSeconds && seconds >= *settings_.timeLimitSeconds) {
+        reason = StopReason::kTimeLimit;
+      }
+      return reason != StopReason::kFinished;
     };
-    showPixels(
-        color, [&](std::uint64_t pixel) { return sums[pixel].samples(); },
-        // One sequence does not tell its error.
-        [](std::uint64_t) { return 0.0; });
-  }
-
-  void renderToTarget() {
-    AdaptiveSampling adaptive(width_, height_, *settings_.targetError, settings_.maxSamples,
-                              pixelsOfSmallObjects(scene_, camera_, settings_));
-    for (;;) {
-      const std::vector<gpu::WorkItem> items = adaptive.nextItems();
-      if (items.empty()) {
-        result_.stopReason = adaptive.reachedTarget() ? StopReason::kFinished : StopReason::kMaxSamples;
-        break;
-      }
-      const auto takeResult = [&](std::uint64_t index, const gpu::WorkResult& result) {
-        adaptive.add(items[index], result);
-      };
-      if (!tracer_.run(
-              items.size(), [&](std::uint64_t index) { return items[index]; }, takeResult,
-              [&] { return shouldStop(); })) {
-        break;
-      }
+    while (sampling_->itemsDone() < sampling_->passItems() || sampling_->startPass()) {
+      const bool finished = tracer_->run(
+          sampling_->itemsDone(), sampling_->passItems(),
+          [this](std::uint64_t index) { return sampling_->item(index); },
+          [this](std::uint64_t /*index*/, const gpu::WorkResult& result) { sampling_->add(result); }, stop);
+      if (!finished) return reason;
     }
-    result_.estimatedError = adaptive.estimatedError();
-    showPixels([&](std::uint64_t pixel) { return glm::vec3(adaptive.mean(pixel)); },
-               [&](std::uint64_t pixel) { return adaptive.samples(pixel); },
-               [&](std::uint64_t pixel) { return adaptive.estimatedError(pixel); });
+    return sampling_->reachedGoal() ? StopReason::kFinished : StopReason::kMaxSamples;
   }
 
-  // Fills the image with what the view asks for.
-  template <typename Color, typename Samples, typename Error>
-  void showPixels(const Color& color, const Samples& samples, const Error& error) {
+  [[nodiscard]] std::uint32_t mostSamples() const {
     std::uint32_t most = 1;
-    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) most = std::max(most, samples(pixel));
-    for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) {
-      switch (settings_.view) {
-        case View::kSamples:
-          setPixel(pixel, glm::vec3(static_cast<float>(samples(pixel)) / static_cast<float>(most)));
-          break;
-        case View::kError:
-          setPixel(pixel, glm::vec3(static_cast<float>(std::min(1.0, error(pixel)))));
-          break;
-        default:
-          setPixel(pixel, color(pixel));
-      }
-    }
-    result_.mostSamples = most;
+    const std::uint64_t pixels = pixelsOf(settings_.crop);
+    for (std::uint64_t pixel = 0; pixel < pixels; ++pixel) most = std::max(most, sampling_->samples(pixel));
+    return most;
   }
 
-  const GpuScene& scene_;
-  const Camera& camera_;
-  RenderSettings settings_;
-  const std::atomic<bool>& interrupted_;
-  Clock::time_point start_ = Clock::now();
-  int width_;
-  int height_;
-  std::uint64_t pixels_;
-  Tracer tracer_;
-  RenderResult result_;
+  // What the view shows of a pixel.
+  [[nodiscard]] glm::vec3 shown(std::uint64_t pixel, std::uint32_t most) const {
+    switch (settings_.view) {
+      case View::kSamples:
+        return glm::vec3(static_cast<float>(sampling_->samples(pixel)) / static_cast<float>(most));
+      case View::kError:
+        return glm::vec3(static_cast<float>(std::min(1.0, sampling_->estimatedError(pixel))));
+      default:
+        return sampling_->value(pixel);
+    }
+  }
+
+  Rectangle crop_;                      // of the image that is asked for
+  RenderSettings settings_;             // their crop is the part that is traced
+  std::unique_ptr<Sampling> sampling_;  // none where nothing is traced
+  std::optional<Tracer> tracer_;
 };
 
 }  // namespace
 
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
-                    const RenderSettings& settings, const std::atomic<bool>& interrupted) {
-  // The plan for a target error and the other views are about all pixels.
-  if (settings.targetError || settings.view != View::kColor || !settings.specialized) {
-    return Render(device, scene, camera, settings, interrupted).run();
-  }
-  const Rectangle& crop = settings.crop;
-  RenderSettings part = settings;
-  part.crop = coveredPart(scene, camera, settings);
-  RenderResult result;
-  if (part.crop.x0 < part.crop.x1 && part.crop.y0 < part.crop.y1) {
-    result = Render(device, scene, camera, part, interrupted).run();
-  }
-  Image whole{crop.x1 - crop.x0, crop.y1 - crop.y0, {}};
-  if (whole.width == result.image.width && whole.height == result.image.height) return result;
-  whole.rgb.resize(std::size_t{3} * whole.width * whole.height);
-  paste(result.image, part.crop.x0 - crop.x0, part.crop.y0 - crop.y0, whole);
-  result.skippedPixels = (whole.rgb.size() - result.image.rgb.size()) / 3;
-  result.image = std::move(whole);
-  return result;
+                    const RenderSettings& settings, const Proceed& proceed) {
+  return Render(device, scene, camera, settings).run(proceed);
 }
 
 }  // namespace lavaray

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
+#include <functional>
 
 #include "core/flatten.hpp"
 #include "image/image.hpp"
@@ -27,9 +27,21 @@ struct RenderResult {
   std::size_t deviceBytes = 0;
 };
 
-// Renders the scene as the settings say, looking at `interrupted` about ten times a second.
-// Throws Error(kDevice) where the device fails or cannot finish a ray.
+// A render that is under way.
+class RenderInProgress {
+ public:
+  virtual ~RenderInProgress() = default;
+  [[nodiscard]] virtual double shareDone() const = 0;        // in [0, 1]; estimated where there is a target
+  [[nodiscard]] virtual double samplesPerPixel() const = 0;  // in the mean
+  [[nodiscard]] virtual double estimatedError() const = 0;   // RMSE, where there is a target, else 0
+  [[nodiscard]] virtual Image image() const = 0;             // as far as it is known
+};
+
+// Is called between two pieces of work, about ten times a second, and returns whether to go on.
+using Proceed = std::function<bool(const RenderInProgress&)>;
+
+// Renders the scene as the settings say. Throws Error(kDevice) where the device fails or cannot finish a ray.
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
-                    const RenderSettings& settings, const std::atomic<bool>& interrupted);
+                    const RenderSettings& settings, const Proceed& proceed);
 
 }  // namespace lavaray

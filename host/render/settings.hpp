@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/camera.hpp"
 #include "image/image.hpp"
@@ -18,11 +19,19 @@ enum class Sampler {
 // So many that the fixed-point sums (see PixelSum) still hold them.
 inline constexpr std::uint32_t kMostSamples = 1U << 22U;
 
+// Samples first <= i < end of each pixel's sequence.
+struct SampleRange {
+  std::uint32_t first;
+  std::uint32_t end;
+};
+
 struct RenderSettings {
   ImageSize size;  // of the whole image
   Rectangle crop;  // the part of it to render
   std::uint32_t maxDepth = 8;
   std::uint32_t samples = 1;  // a pixel; 1 is its centre
+  // Of these samples only the ones from here on; a multiple of gpu::kMaxSamplesPerItem.
+  std::uint32_t firstSample = 0;
   Sampler sampler = Sampler::kSobol;
   PixelFilter filter = PixelFilter::kBox;
   std::uint32_t seed = 0;
@@ -33,6 +42,8 @@ struct RenderSettings {
   std::optional<double> timeLimitSeconds;
   View view = View::kColor;
   bool countRays = false;
+  // SPIR-V of render.comp; empty is what the program was built with.
+  std::span<const std::uint32_t> shader;
   // Without it the pipeline holds the code for all that any scene may have; for comparison.
   bool specialized = true;
 };

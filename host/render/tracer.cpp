@@ -63,7 +63,9 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
 
 Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
                const RenderSettings& settings, std::uint64_t items)
-    : device_(device), centerOnly_(takesCenterOnly(settings)) {
+    : device_(device),
+      centerOnly_(takesCenterOnly(settings)),
+      shader_(settings.shader.empty() ? std::span<const std::uint32_t>(renderSpirv) : settings.shader) {
   const std::uint64_t reachable =
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
                               std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
@@ -96,15 +98,15 @@ std::size_t Tracer::deviceBytes() const {
   return bytes;
 }
 
-bool Tracer::run(std::uint64_t count, const MakeItem& makeItem, const TakeResult& takeResult,
-                 const Stop& stop) {
+bool Tracer::run(std::uint64_t first, std::uint64_t end, const MakeItem& makeItem,
+                 const TakeResult& takeResult, const Stop& stop) {
   using Clock = std::chrono::steady_clock;
   auto* items = reinterpret_cast<gpu::WorkItem*>(buffers_[gpu::kBindingWork].bytes());
   const auto* results = reinterpret_cast<const gpu::WorkResult*>(buffers_[gpu::kBindingResults].bytes());
-  for (std::uint64_t first = 0; first < count;) {
+  while (first < end) {
     if (stop()) return false;
     const auto pieceCount = static_cast<std::uint32_t>(
-        std::min({static_cast<std::uint64_t>(pieceItems_), std::uint64_t{capacity_}, count - first}));
+        std::min({static_cast<std::uint64_t>(pieceItems_), std::uint64_t{capacity_}, end - first}));
     const Clock::time_point start = Clock::now();
     constants_.firstPixel = static_cast<gpu::uint>(first);
     if (!centerOnly_) {
@@ -133,7 +135,7 @@ vulkan::ComputeShader Tracer::makeShader(bool resumable) {
         vulkan::Buffer::shared(device_, "unfinished work", capacity_ * sizeof(gpu::WorkState));
   }
   specialization_[gpu::kSpecResumable] = resumable ? 1 : 0;
-  return {device_, renderSpirv, specialization_, buffers_, sizeof constants_};
+  return {device_, shader_, specialization_, buffers_, sizeof constants_};
 }
 
 gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint pass) {

@@ -31,11 +31,12 @@ class Tracer {
   using TakeResult = std::function<void(std::uint64_t index, const gpu::WorkResult& result)>;
   using Stop = std::function<bool()>;
 
-  // Does the work items makeItem(0) .. makeItem(count - 1), in this order and in pieces of about a tenth of a
-  // second, and hands each result to takeResult. Looks at `stop` before each piece and returns false if it
+  // Does the work items makeItem(first) .. makeItem(end - 1), in this order and in pieces of about a tenth of
+  // a second, and hands each result to takeResult. Looks at `stop` before each piece and returns false if it
   // was stopped. With the sampling in the pixel's centre, item i is pixel i, and makeItem is not called.
   // Throws Error(kDevice) where the device fails or cannot finish a ray.
-  bool run(std::uint64_t count, const MakeItem& makeItem, const TakeResult& takeResult, const Stop& stop);
+  bool run(std::uint64_t first, std::uint64_t end, const MakeItem& makeItem, const TakeResult& takeResult,
+           const Stop& stop);
 
   [[nodiscard]] const TraceCounts& counts() const { return counts_; }
   // Bytes of the scene's arrays and of the work on the device.
@@ -49,10 +50,11 @@ class Tracer {
   vulkan::Device& device_;
   bool centerOnly_;
   gpu::DispatchConstants constants_{};
-  std::uint32_t capacity_;               // items of the largest piece
-  double pieceItems_;                    // of the next piece
-  bool isWarm_ = false;                  // after the first piece
-  std::vector<vulkan::Buffer> buffers_;  // by binding
+  std::uint32_t capacity_;                 // items of the largest piece
+  double pieceItems_;                      // of the next piece
+  bool isWarm_ = false;                    // after the first piece
+  std::vector<vulkan::Buffer> buffers_;    // by binding
+  std::span<const std::uint32_t> shader_;  // SPIR-V
   std::vector<std::uint32_t> specialization_;
   // One of them: the first, unless the scene has too many lights for it, until it gives an item up.
   std::optional<vulkan::ComputeShader> direct_;

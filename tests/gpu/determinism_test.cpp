@@ -58,7 +58,7 @@ TEST(Determinism, PiecesOfAnySizeInAnyOrderMakeTheSameImage) {
     std::vector<PixelSum> sums(image.rgb.size() / 3);
     Tracer tracer(testDevice(), gpuScene, scene.camera, settings, largestPiece);
     tracer.run(
-        items.size(), [&](std::uint64_t index) { return items[index]; },
+        0, items.size(), [&](std::uint64_t index) { return items[index]; },
         [&](std::uint64_t index, const gpu::WorkResult& result) {
           sums[items[index].pixel].add(result.sum, items[index].count);
         },
@@ -109,7 +109,7 @@ Image renderToTarget(const Scene& scene, const RenderSettings& settings, std::ui
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
     std::shuffle(items.begin(), items.end(), random);
     tracer.run(
-        items.size(), [&](std::uint64_t index) { return items[index]; },
+        0, items.size(), [&](std::uint64_t index) { return items[index]; },
         [&](std::uint64_t index, const gpu::WorkResult& result) { adaptive.add(items[index], result); },
         [] { return false; });
   }

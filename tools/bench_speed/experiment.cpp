@@ -91,7 +91,7 @@ PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, c
     for (int channel = 0; channel < 3; ++channel) rgb[3 * pixel + channel] = result.sum[channel];
   };
   std::vector<Contestant> contestants{
-      {"lavaray", [&] { tracer.run(pixels, {}, take, [] { return false; }); }}};
+      {"lavaray", [&] { tracer.run(0, pixels, {}, take, [] { return false; }); }}};
   if (peer != nullptr) {
     for (const Peer::Variant& variant : peer->variants()) {
       if (variant.usesPackets) continue;

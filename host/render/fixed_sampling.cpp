@@ -1,0 +1,58 @@
+#include "render/fixed_sampling.hpp"
+
+#include <algorithm>
+
+namespace lavaray {
+namespace {
+
+// The first rounds are smaller: a pixel without a sample is black.
+constexpr std::uint32_t kRoundSamples = 64;
+
+std::uint32_t itemsFor(std::uint32_t samples) {
+  return (samples + gpu::kMaxSamplesPerItem - 1) / gpu::kMaxSamplesPerItem;
+}
+
+}  // namespace
+
+FixedSampling::FixedSampling(std::uint64_t pixels, SampleRange range, View view)
+    : range_(range), view_(view), roundFirst_(range.first), sums_(pixels) {
+  if (isMeasure(view)) measured_.resize(pixels);
+}
+
+std::uint64_t FixedSampling::mostItems(std::uint64_t pixels, SampleRange range) {
+  return pixels * itemsFor(std::min(range.end - range.first, kRoundSamples));
+}
+
+std::uint64_t FixedSampling::planPass() {
+  roundFirst_ += roundSize_;
+  const std::uint32_t usual = std::clamp(roundFirst_ - range_.first, gpu::kMaxSamplesPerItem, kRoundSamples);
+  roundSize_ = std::min(usual, range_.end - roundFirst_);
+  roundItems_ = itemsFor(roundSize_);
+  return sums_.size() * roundItems_;
+}
+
+gpu::WorkItem FixedSampling::item(std::uint64_t index) const {
+  const auto offset = static_cast<std::uint32_t>(index % roundItems_) * gpu::kMaxSamplesPerItem;
+  return {static_cast<gpu::uint>(index / roundItems_), 0, roundFirst_ + offset,
+          std::min(gpu::kMaxSamplesPerItem, roundSize_ - offset)};
+}
+
+void FixedSampling::take(std::uint64_t index, const gpu::WorkResult& result) {
+  const gpu::WorkItem done = item(index);
+  if (!measured_.empty()) measured_[done.pixel] += glm::dvec3(result.sum);
+  sums_[done.pixel].add(measured_.empty() ? result.sum : glm::vec3(0.0F), done.count);
+}
+
+glm::vec3 FixedSampling::value(std::uint64_t pixel) const {
+  if (measured_.empty()) return sums_[pixel].mean();
+  return glm::vec3(static_cast<float>(measure(view_, measured_[pixel])));
+}
+
+double FixedSampling::shareDone() const {
+  const double round = passItems() == 0
+                           ? 0.0
+                           : roundSize_ * static_cast<double>(itemsDone()) / static_cast<double>(passItems());
+  return (roundFirst_ - range_.first + round) / (range_.end - range_.first);
+}
+
+}  // namespace lavaray

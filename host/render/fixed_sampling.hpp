@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "render/pixel_sum.hpp"
+#include "render/sampling.hpp"
+#include "render/settings.hpp"
+
+namespace lavaray {
+
+// The same samples for every pixel, in rounds of a few a pixel: a render that is stopped has about the same
+// number everywhere.
+class FixedSampling : public Sampling {
+ public:
+  FixedSampling(std::uint64_t pixels, SampleRange range, View view);
+
+  // Of a round; the most that passItems() becomes.
+  static std::uint64_t mostItems(std::uint64_t pixels, SampleRange range);
+
+  [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override;
+  [[nodiscard]] glm::vec3 value(std::uint64_t pixel) const override;
+  [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return sums_[pixel].samples(); }
+  [[nodiscard]] double shareDone() const override;
+
+ private:
+  std::uint64_t planPass() override;
+  void take(std::uint64_t index, const gpu::WorkResult& result) override;
+
+  SampleRange range_;
+  View view_;
+  std::uint32_t roundFirst_;      // sample of this round
+  std::uint32_t roundSize_ = 0;   // samples a pixel
+  std::uint32_t roundItems_ = 1;  // a pixel
+  std::vector<PixelSum> sums_;
+  // Of views that are measures. Results come in the order of their items, so these sums need no fixed point,
+  // which has bounds.
+  std::vector<glm::dvec3> measured_;
+};
+
+}  // namespace lavaray

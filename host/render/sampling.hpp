@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "interface.h"
+
+namespace lavaray {
+
+// Which samples a render takes and what they have added up to so far. The samples come in passes of work
+// items, and a pass's items are traced in their order, in any division.
+class Sampling {
+ public:
+  Sampling() = default;
+  virtual ~Sampling() = default;
+  Sampling(const Sampling&) = delete;
+  Sampling& operator=(const Sampling&) = delete;
+
+  // Plans the next pass, once the one before is done. False where nothing is left to do.
+  bool startPass();
+  [[nodiscard]] std::uint64_t passItems() const { return passItems_; }
+  [[nodiscard]] std::uint64_t itemsDone() const { return itemsDone_; }  // of this pass
+  [[nodiscard]] virtual gpu::WorkItem item(std::uint64_t index) const = 0;
+  // The result of item(itemsDone()).
+  void add(const gpu::WorkResult& result);
+
+  // By pixel of the image, row by row. Where there is no sample yet, the value is black.
+  [[nodiscard]] virtual glm::vec3 value(std::uint64_t pixel) const = 0;
+  [[nodiscard]] virtual std::uint32_t samples(std::uint64_t pixel) const = 0;
+  // In units of a colour; 0 where it is not estimated, as one sequence of samples does not tell its error.
+  [[nodiscard]] virtual double estimatedError(std::uint64_t /*pixel*/) const { return 0.0; }
+  [[nodiscard]] virtual double estimatedError() const { return 0.0; }  // RMSE of the image
+
+  // In [0, 1]; with a target error by the present plan.
+  [[nodiscard]] virtual double shareDone() const = 0;
+  // Whether all was done that was asked for, once startPass returns false.
+  [[nodiscard]] virtual bool reachedGoal() const { return true; }
+
+ private:
+  virtual std::uint64_t planPass() = 0;  // returns the number of its items
+  virtual void take(std::uint64_t index, const gpu::WorkResult& result) = 0;
+
+  std::uint64_t passItems_ = 0;
+  std::uint64_t itemsDone_ = 0;
+};
+
+inline bool Sampling::startPass() {
+  passItems_ = planPass();
+  itemsDone_ = 0;
+  return passItems_ > 0;
+}
+
+inline void Sampling::add(const gpu::WorkResult& result) {
+  take(itemsDone_, result);
+  ++itemsDone_;
+}
+
+}  // namespace lavaray

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "render/adaptive.hpp"
+#include "render/sampling.hpp"
+
+namespace lavaray {
+
+// Samples by the plan of AdaptiveSampling until the image's estimated error is the target.
+class TargetSampling : public Sampling {
+ public:
+  explicit TargetSampling(AdaptiveSampling plan) : plan_(std::move(plan)) {}
+
+  [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override { return items_[index]; }
+  [[nodiscard]] glm::vec3 value(std::uint64_t pixel) const override { return plan_.mean(pixel); }
+  [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return plan_.samples(pixel); }
+  [[nodiscard]] double estimatedError(std::uint64_t pixel) const override {
+    return plan_.estimatedError(pixel);
+  }
+  [[nodiscard]] double estimatedError() const override { return plan_.estimatedError(); }
+  [[nodiscard]] double shareDone() const override;
+  [[nodiscard]] bool reachedGoal() const override { return plan_.reachedTarget(); }
+
+ private:
+  std::uint64_t planPass() override;
+  void take(std::uint64_t index, const gpu::WorkResult& result) override;
+
+  AdaptiveSampling plan_;
+  std::vector<gpu::WorkItem> items_;
+  std::uint64_t taken_ = 0;  // samples
+};
+
+}  // namespace lavaray
