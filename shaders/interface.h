@@ -54,8 +54,9 @@ const uint kClampedLightDirections = 16u;
 // A mirror ray is dropped when every channel of its weight is below.
 const float kMinReflectance = 1e-4f;
 
-// Bindings of descriptor set 0. Nodes, primitives and their planes and normals are read through texel buffer views, four
-// 32-bit words a texel (see scene_data.glsl); the others are storage buffers.
+// Bindings of descriptor set 0. Those below kTexelBindings are read through texel buffer views, four 32-bit words a
+// texel (see scene_data.glsl); the others are storage buffers.
+const uint kTexelBindings = 4u;
 const uint kBindingNodes = 0u;
 const uint kBindingPrimitives = 1u;
 const uint kBindingTrianglePlanes = 2u;
@@ -68,6 +69,7 @@ const uint kBindingWork = 8u;
 const uint kBindingResults = 9u;
 const uint kBindingStates = 10u;
 const uint kBindingStatus = 11u;
+const uint kBindingCount = 12u;
 
 // Specialization constants: what the scene has, so that the pipeline holds no code for what it has not.
 const uint kSpecHasSpheres = 0u;

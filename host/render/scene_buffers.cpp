@@ -16,21 +16,20 @@ std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
 
 std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene) {
   std::vector<vulkan::Buffer> buffers;
-  const auto upload = [&]([[maybe_unused]] gpu::uint binding, const char* name, vulkan::BufferUse use,
-                          std::span<const std::byte> content) {
+  const auto upload = [&](gpu::uint binding, const char* name, std::span<const std::byte> content) {
     assert(binding == buffers.size());
+    const auto use = binding < gpu::kTexelBindings ? vulkan::BufferUse::kTexels : vulkan::BufferUse::kStorage;
     // Vulkan knows no empty buffer; the pipeline of a scene without such things never reads this one.
     static constexpr std::array<std::byte, 64> kNothing{};
     buffers.push_back(vulkan::Buffer::uploaded(device, name, use, content.empty() ? kNothing : content));
   };
-  using enum vulkan::BufferUse;
-  upload(gpu::kBindingNodes, "BVH nodes", kTexels, bytesOf(scene.nodes));
-  upload(gpu::kBindingPrimitives, "spheres and triangles", kTexels, bytesOf(scene.primitives));
-  upload(gpu::kBindingTrianglePlanes, "triangle planes", kTexels, bytesOf(scene.trianglePlanes));
-  upload(gpu::kBindingCornerNormals, "corner normals", kTexels, bytesOf(scene.cornerNormals));
-  upload(gpu::kBindingPlanes, "planes", kStorage, bytesOf(scene.planes));
-  upload(gpu::kBindingLights, "lights", kStorage, bytesOf(scene.lights));
-  upload(gpu::kBindingMaterials, "materials", kStorage, bytesOf(scene.materials));
+  upload(gpu::kBindingNodes, "BVH nodes", bytesOf(scene.nodes));
+  upload(gpu::kBindingPrimitives, "spheres and triangles", bytesOf(scene.primitives));
+  upload(gpu::kBindingTrianglePlanes, "triangle planes", bytesOf(scene.trianglePlanes));
+  upload(gpu::kBindingCornerNormals, "corner normals", bytesOf(scene.cornerNormals));
+  upload(gpu::kBindingPlanes, "planes", bytesOf(scene.planes));
+  upload(gpu::kBindingLights, "lights", bytesOf(scene.lights));
+  upload(gpu::kBindingMaterials, "materials", bytesOf(scene.materials));
   return buffers;
 }
 
