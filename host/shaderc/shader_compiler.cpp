@@ -1,0 +1,219 @@
+#include "shaderc/shader_compiler.hpp"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <algorithm>
+#include <spirv-tools/libspirv.hpp>
+
+#include "core/place.hpp"
+#include "shaderc/compiler_log.hpp"
+#include "shaderc/shader_interface.hpp"
+#include "shaderc/shader_sources.hpp"
+
+namespace lavaray {
+namespace {
+
+constexpr const char* kSource = "render.comp";
+constexpr const char* kInterface = "interface.h";
+constexpr const char* kOtherInterface =
+    "differs from the interface that the program was built with: build the program anew to change it";
+
+// As glslangValidator has them where a source has no #version.
+constexpr int kDefaultVersion = 100;
+constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+
+// The compiler's tables, made by the first compilation and freed at the end of the process.
+class CompilerProcess {
+ public:
+  static void ensure() { static const CompilerProcess process; }
+  CompilerProcess(const CompilerProcess&) = delete;
+  CompilerProcess& operator=(const CompilerProcess&) = delete;
+
+ private:
+  CompilerProcess() { glslang::InitializeProcess(); }
+  ~CompilerProcess() { glslang::FinalizeProcess(); }
+};
+
+// The compiler knows a source by its number: unlike a path it can hold no quote or colon that would spoil the
+// log.
+std::string sourceName(std::size_t source) {
+  return "#" + std::to_string(source);
+}
+
+class Includer : public glslang::TShader::Includer {
+ public:
+  explicit Includer(ShaderSources& sources) : sources_(sources) {}
+
+  IncludeResult* includeLocal(const char* header, const char* /*includer*/, std::size_t depth) override {
+    const std::size_t number = sources_.include(header, depth);
+    if (number >= sources_.sources().size()) {
+      failure_ = sources_.includeFailure();
+      return nullptr;
+    }
+    const std::string& text = sources_.sources()[number].text;
+    return new IncludeResult(sourceName(number), text.data(), text.size(), nullptr);
+  }
+
+  // Asked for `#include <...>`, and where includeLocal found nothing.
+  IncludeResult* includeSystem(const char* /*header*/, const char* /*includer*/,
+                               std::size_t /*depth*/) override {
+    message_ = failure_.empty() ? "allowed are includes in double quotes" : std::exchange(failure_, {});
+    return new IncludeResult("", message_.data(), message_.size(), nullptr);
+  }
+
+  void releaseInclude(IncludeResult* result) override { delete result; }
+
+ private:
+  ShaderSources& sources_;
+  std::string failure_;
+  std::string message_;  // that the compiler reads from
+};
+
+// One run of the compiler over the sources. The program goes before the shader, whose memory it uses.
+class Compilation {
+ public:
+  explicit Compilation(ShaderSources& sources) : includer_(sources) {
+    const ShaderSource& source = sources.sources().front();
+    text_ = source.text.data();
+    length_ = static_cast<int>(source.text.size());
+    name_ = nameText_.c_str();
+    shader_.setStringsWithLengthsAndNames(&text_, &length_, &name_, 1);
+    shader_.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
+    shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+    shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+  }
+
+  bool parse() { return shader_.parse(GetDefaultResources(), kDefaultVersion, false, kMessages, includer_); }
+  bool link() {
+    program_.addShader(&shader_);
+    return program_.link(kMessages) && program_.mapIO();
+  }
+  std::string preprocess() {
+    std::string text;
+    shader_.preprocess(GetDefaultResources(), kDefaultVersion, ENoProfile, false, false, kMessages, &text,
+                       includer_);
+    return text;
+  }
+  std::string log() { return std::string(shader_.getInfoLog()) + "\n" + program_.getInfoLog(); }
+
+  // glslangValidator -Os
+  std::vector<std::uint32_t> generate() {
+    glslang::SpvOptions options;
+    options.disableOptimizer = false;
+    options.optimizeSize = true;
+    std::vector<std::uint32_t> spirv;
+    glslang::GlslangToSpv(*program_.getIntermediate(EShLangCompute), spirv, &options);
+    return spirv;
+  }
+
+ private:
+  Includer includer_;
+  std::string nameText_ = sourceName(0);
+  const char* text_;
+  int length_;
+  const char* name_;
+  glslang::TShader shader_{EShLangCompute};
+  glslang::TProgram program_;
+};
+
+// The compilation's answer in the user's terms: files and lines in place of the compiler's names.
+class Complaints {
+ public:
+  explicit Complaints(ShaderSources& sources) : sources_(sources) {}
+
+  void add(const std::string& line) {
+    if (std::ranges::find(lines_, line) == lines_.end()) lines_.push_back(line);
+  }
+  void add(const Misfit& misfit) { add(placed(findDeclaration(misfit.word), misfit.message)); }
+  void add(const CompilerMessage& message) {
+    PreprocessedPlace place{message.source, message.line};
+    if (place.source.empty()) place = findDeclaration(message.function);
+    add(placed(place, message.text));
+  }
+  std::string placed(const PreprocessedPlace& place, const std::string& message) const {
+    for (std::size_t i = 0; i < sources_.sources().size(); ++i) {
+      if (place.source == sourceName(i)) return messageAt({sources_.sources()[i].path, place.line}, message);
+    }
+    // A #line of the source's own, or none.
+    const std::filesystem::path file =
+        place.source.empty() ? sources_.sources()[0].path : std::filesystem::path(place.source);
+    return messageAt({file, place.line}, message);
+  }
+
+  void throwIfAny() const {
+    if (lines_.empty()) return;
+    std::string message;
+    for (const std::string& line : lines_) message += (message.empty() ? "" : "\n") + line;
+    throw ShaderError(message, sources_.files());
+  }
+
+ private:
+  PreprocessedPlace findDeclaration(const std::string& word) {
+    if (word.empty()) return {{}, 1};
+    if (!preprocessed_) preprocessed_ = Compilation(sources_).preprocess();
+    return findWord(*preprocessed_, word);
+  }
+
+  ShaderSources& sources_;
+  std::vector<std::string> lines_;
+  std::optional<std::string> preprocessed_;
+};
+
+// What a driver need not expect: most do not check what they are given.
+std::vector<std::string> validate(const std::vector<std::uint32_t>& spirv) {
+  std::vector<std::string> messages;
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+  tools.SetMessageConsumer(
+      [&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
+        if (level <= SPV_MSG_ERROR)
+          messages.push_back("the compiler makes invalid SPIR-V of it: " + std::string(text));
+      });
+  if (!tools.Validate(spirv) && messages.empty())
+    messages.emplace_back("the compiler makes invalid SPIR-V of it");
+  return messages;
+}
+
+}  // namespace
+
+CompiledShader compileRenderShader(const std::filesystem::path& directory) {
+  CompilerProcess::ensure();
+  ShaderSources sources(directory);
+  Complaints complaints(sources);
+  sources.add(kSource);
+  sources.add(kInterface);
+  for (const std::string& line : sources.complaints()) complaints.add(line);
+  complaints.throwIfAny();
+
+  Compilation compilation(sources);
+  const bool isParsed = compilation.parse();
+  // Before the compiler's messages, which may only follow from these.
+  const ShaderSource& interface = sources.sources()[1];
+  if (const auto line = firstDifference(interface.text)) {
+    complaints.add(messageAt({interface.path, *line}, kOtherInterface));
+    complaints.throwIfAny();
+  }
+  for (const std::string& line : sources.complaints()) complaints.add(line);
+  complaints.throwIfAny();
+
+  const bool isLinked = isParsed && compilation.link();
+  std::vector<std::string> warnings;
+  for (const CompilerMessage& message : readCompilerLog(compilation.log())) {
+    if (message.isError)
+      complaints.add(message);
+    else
+      warnings.push_back(complaints.placed({message.source, message.line}, message.text));
+  }
+  complaints.throwIfAny();
+  if (!isLinked) throw std::logic_error("glslang fails without a message");
+
+  std::vector<std::uint32_t> spirv = compilation.generate();
+  for (const std::string& message : validate(spirv))
+    complaints.add(CompilerMessage{true, {}, 1, message, {}});
+  complaints.throwIfAny();
+  for (const Misfit& misfit : findMisfits(spirv)) complaints.add(misfit);
+  complaints.throwIfAny();
+  return {std::move(spirv), sources.files(), std::move(warnings)};
+}
+
+}  // namespace lavaray

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/errors.hpp"
+
+namespace lavaray {
+
+struct CompiledShader {
+  std::vector<std::uint32_t> spirv;
+  std::vector<std::filesystem::path>
+      files;                          // interface.h, the source and its includes, as `directory / name`
+  std::vector<std::string> warnings;  // `file:line: message`
+};
+
+// A shader that cannot be used. The message has a line `file:line: message` for each thing that is wrong with
+// it
+// (`file: message` where that is the file as a whole), and no line twice.
+class ShaderError : public Error {
+ public:
+  ShaderError(const std::string& message, std::vector<std::filesystem::path> files)
+      : Error(ExitCode::kInput, message), files_(std::move(files)) {}
+  // What was read, and what was looked for and is not there: a change of one of them may mend the shader.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+
+ private:
+  std::vector<std::filesystem::path> files_;
+};
+
+// Compiles `directory`/render.comp to the SPIR-V that the build makes of it, and checks that it fits the
+// program. Throws ShaderError where it does not compile or fit. May be called from any thread.
+CompiledShader compileRenderShader(const std::filesystem::path& directory);
+
+}  // namespace lavaray
