@@ -61,6 +61,9 @@ std::string sentence(std::string_view text) {
   const std::string_view token = text.substr(1, end - 1);
   std::string_view rest = trim(text.substr(end + kEndOfToken.size()));
   if (token.empty()) return printable(rest);
+  if (token.size() == 1 && static_cast<unsigned char>(token[0]) >= 0x80)
+    return "a character that is not ASCII, allowed are such in comments only";
+  if (token == "#error") return printable("#error " + std::string(rest));
   constexpr std::string_view kHeader = " for header name: ";
   if (const std::size_t header = rest.rfind(kHeader); token == "#include" && header != std::string_view::npos)
     return printable("#include \"" + std::string(rest.substr(header + kHeader.size())) +
@@ -107,10 +110,7 @@ std::vector<CompilerMessage> readCompilerLog(std::string_view log) {
     const bool isKnown = std::ranges::any_of(messages, [&](const CompilerMessage& other) {
       return other.source == message->source && other.line == message->line && other.text == message->text;
     });
-    const bool lacksInclude = message->text.starts_with("#include ");
     if (!isKnown) messages.push_back(std::move(*message));
-    // All that an include would have declared is missing now.
-    if (lacksInclude) break;
   }
   return messages;
 }

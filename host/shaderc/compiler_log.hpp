@@ -22,7 +22,7 @@ std::vector<CompilerMessage> readCompilerLog(std::string_view log);
 // A place in the preprocessor's output, whose lines `#line NUMBER "SOURCE"` say where the next line is from.
 struct PreprocessedPlace {
   std::string source;
-  std::size_t line;
+  std::size_t line = 1;
 };
 
 // Where `word` stands first; an empty source where it does not.

@@ -125,13 +125,16 @@ class Complaints {
   void add(const std::string& line) {
     if (std::ranges::find(lines_, line) == lines_.end()) lines_.push_back(line);
   }
+  void addAll(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) add(line);
+  }
   void add(const Misfit& misfit) { add(placed(findDeclaration(misfit.word), misfit.message)); }
   void add(const CompilerMessage& message) {
     PreprocessedPlace place{message.source, message.line};
     if (place.source.empty()) place = findDeclaration(message.function);
     add(placed(place, message.text));
   }
-  std::string placed(const PreprocessedPlace& place, const std::string& message) const {
+  [[nodiscard]] std::string placed(const PreprocessedPlace& place, const std::string& message) const {
     for (std::size_t i = 0; i < sources_.sources().size(); ++i) {
       if (place.source == sourceName(i)) return messageAt({sources_.sources()[i].path, place.line}, message);
     }
@@ -160,18 +163,14 @@ class Complaints {
   std::optional<std::string> preprocessed_;
 };
 
-// What a driver need not expect: most do not check what they are given.
-std::vector<std::string> validate(const std::vector<std::uint32_t>& spirv) {
-  std::vector<std::string> messages;
+// Why this is no SPIR-V that a driver must accept, which most do not look at; empty where it is.
+std::string validate(const std::vector<std::uint32_t>& spirv) {
+  std::string reason = "no reason given";
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
   tools.SetMessageConsumer(
-      [&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
-        if (level <= SPV_MSG_ERROR)
-          messages.push_back("the compiler makes invalid SPIR-V of it: " + std::string(text));
-      });
-  if (!tools.Validate(spirv) && messages.empty())
-    messages.emplace_back("the compiler makes invalid SPIR-V of it");
-  return messages;
+      [&](spv_message_level_t /*level*/, const char* /*source*/, const spv_position_t& /*position*/,
+          const char* text) { reason = std::string(text).substr(0, std::string_view(text).find('\n')); });
+  return tools.Validate(spirv) ? std::string() : reason;
 }
 
 }  // namespace
@@ -182,7 +181,7 @@ CompiledShader compileRenderShader(const std::filesystem::path& directory) {
   Complaints complaints(sources);
   sources.add(kSource);
   sources.add(kInterface);
-  for (const std::string& line : sources.complaints()) complaints.add(line);
+  complaints.addAll(sources.complaints());
   complaints.throwIfAny();
 
   Compilation compilation(sources);
@@ -193,23 +192,27 @@ CompiledShader compileRenderShader(const std::filesystem::path& directory) {
     complaints.add(messageAt({interface.path, *line}, kOtherInterface));
     complaints.throwIfAny();
   }
-  for (const std::string& line : sources.complaints()) complaints.add(line);
+  complaints.addAll(sources.complaints());
   complaints.throwIfAny();
 
   const bool isLinked = isParsed && compilation.link();
   std::vector<std::string> warnings;
   for (const CompilerMessage& message : readCompilerLog(compilation.log())) {
-    if (message.isError)
-      complaints.add(message);
-    else
+    if (!message.isError) {
       warnings.push_back(complaints.placed({message.source, message.line}, message.text));
+      continue;
+    }
+    complaints.add(message);
+    // The parser goes no further than its first error, and what it says after that follows from it.
+    if (!isParsed) break;
   }
   complaints.throwIfAny();
-  if (!isLinked) throw std::logic_error("glslang fails without a message");
+  if (!isLinked) complaints.add(complaints.placed({}, "does not compile, and the compiler gives no reason"));
+  complaints.throwIfAny();
 
   std::vector<std::uint32_t> spirv = compilation.generate();
-  for (const std::string& message : validate(spirv))
-    complaints.add(CompilerMessage{true, {}, 1, message, {}});
+  if (const std::string reason = validate(spirv); !reason.empty())
+    complaints.add(complaints.placed({}, "the compiler makes SPIR-V of it that is not valid: " + reason));
   complaints.throwIfAny();
   for (const Misfit& misfit : findMisfits(spirv)) complaints.add(misfit);
   complaints.throwIfAny();

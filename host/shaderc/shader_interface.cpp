@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <glslang/SPIRV/doc.h>
+
 #include "core/place.hpp"
 #include "interface.h"
 #include "shaderc/spirv_module.hpp"

@@ -28,7 +28,11 @@ ShaderSources::ShaderSources(std::filesystem::path directory)
 void ShaderSources::add(const std::string& name) {
   const std::filesystem::path file = directory_ / name;
   std::string reason;
-  if (read(file, reason) != kNone) return;
+  const std::size_t source = read(file, reason);
+  if (source != kNone) {
+    if (trim(sources_[source].text).empty()) complaints_.push_back(messageAt({file, 1}, "the file is empty"));
+    return;
+  }
   if (reason.empty()) reason = std::make_error_code(std::errc::no_such_file_or_directory).message();
   complaints_.push_back(file.string() + ": cannot be read: " + reason);
 }

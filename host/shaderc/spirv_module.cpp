@@ -93,8 +93,10 @@ std::optional<std::uint64_t> SpirvModule::sizeInBlock(std::uint32_t type, const 
       }
       return size;
     }
+    case spv::OpTypePointer:  // an address
+      return 8;
     default:
-      throw std::invalid_argument("a SPIR-V type that no block can hold");
+      return std::nullopt;
   }
 }
 
