@@ -60,21 +60,35 @@ gpu::Plane flattenPlane(const Plane& plane, const glm::dvec3& origin) {
 GpuScene flatten(const Scene& scene, unsigned threads) {
   GpuScene result;
   flattenPrimitives(scene, threads, result);
-  const glm::dvec3 origin = scene.camera.position;
-  for (const Plane& plane : scene.planes) result.planes.push_back(flattenPlane(plane, origin));
-  for (const Light& light : scene.lights) {
-    result.lights.push_back({light.position - origin, static_cast<float>(light.radius), light.ambient, 0.0F,
-                             light.diffuse, 0.0F, light.specular, 0.0F});
-    result.hasSphericalLights = result.hasSphericalLights || light.radius > 0.0;
-  }
-  for (const Material& material : scene.materials) {
-    result.materials.push_back({material.ambient, static_cast<float>(material.shininess), material.diffuse,
-                                0.0F, material.specular, 0.0F, material.reflectance, 0.0F});
-    result.hasMirrors =
-        result.hasMirrors ||
-        glm::any(glm::greaterThanEqual(result.materials.back().reflectance, glm::vec3(gpu::kMinReflectance)));
-  }
+  flattenShading(scene, result);
   return result;
+}
+
+bool sameGeometry(const Scene& a, const Scene& b) {
+  return a.camera.position == b.camera.position && a.spheres == b.spheres && a.triangles == b.triangles &&
+         a.meshObjects == b.meshObjects && a.meshes == b.meshes;
+}
+
+void flattenShading(const Scene& scene, GpuScene& flat) {
+  const glm::dvec3 origin = scene.camera.position;
+  flat.planes.clear();
+  for (const Plane& plane : scene.planes) flat.planes.push_back(flattenPlane(plane, origin));
+  flat.lights.clear();
+  flat.hasSphericalLights = false;
+  for (const Light& light : scene.lights) {
+    flat.lights.push_back({light.position - origin, static_cast<float>(light.radius), light.ambient, 0.0F,
+                           light.diffuse, 0.0F, light.specular, 0.0F});
+    flat.hasSphericalLights = flat.hasSphericalLights || light.radius > 0.0;
+  }
+  flat.materials.clear();
+  flat.materials.reserve(scene.materials.size());
+  flat.hasMirrors = false;
+  for (const Material& material : scene.materials) {
+    flat.materials.push_back({material.ambient, static_cast<float>(material.shininess), material.diffuse,
+                              0.0F, material.specular, 0.0F, material.reflectance, 0.0F});
+    flat.hasMirrors = flat.hasMirrors || glm::any(glm::greaterThanEqual(flat.materials.back().reflectance,
+                                                                        glm::vec3(gpu::kMinReflectance)));
+  }
 }
 
 }  // namespace lavaray

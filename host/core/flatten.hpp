@@ -32,4 +32,10 @@ struct GpuScene {
 // Throws Error(kInput) where the scene has more than gpu::kMaxReference primitives.
 GpuScene flatten(const Scene& scene, unsigned threads);
 
+// Whether two scenes have the same hierarchy: the same spheres and triangles, seen from the same place.
+bool sameGeometry(const Scene& a, const Scene& b);
+
+// Makes `flat`, flattened from a scene of the same geometry, what flatten(scene) returns.
+void flattenShading(const Scene& scene, GpuScene& flat);
+
 }  // namespace lavaray

@@ -43,11 +43,13 @@ struct Sphere {
   glm::dvec3 center;
   double radius;  // > 0
   std::uint32_t object;
+  bool operator==(const Sphere&) const = default;
 };
 
 struct Triangle {
   std::array<glm::dvec3, 3> vertices;  // never without area
   std::uint32_t object;
+  bool operator==(const Triangle&) const = default;
 };
 
 inline constexpr std::uint32_t kNoNormal = 0xFFFFFFFF;
@@ -56,6 +58,7 @@ inline constexpr std::uint32_t kNoNormal = 0xFFFFFFFF;
 struct MeshTriangle {
   std::array<std::uint32_t, 3> positions;
   std::array<std::uint32_t, 3> normals{kNoNormal, kNoNormal, kNoNormal};
+  bool operator==(const MeshTriangle&) const = default;
 };
 
 struct Mesh {
@@ -64,12 +67,14 @@ struct Mesh {
   std::vector<glm::dvec3> normals;  // as in the file: any length, zero included
   std::vector<MeshTriangle> triangles;
   std::size_t degenerateTriangles = 0;  // without area, dropped
+  bool operator==(const Mesh&) const = default;
 };
 
 // A mesh as one object of the scene. Two of them may share a mesh: each OBJ file is read once.
 struct MeshObject {
   std::size_t mesh;  // index into Scene::meshes
   std::uint32_t object;
+  bool operator==(const MeshObject&) const = default;
 };
 
 struct Light {

@@ -12,7 +12,6 @@
 #include "core/camera.hpp"
 #include "core/errors.hpp"
 #include "core/limits.hpp"
-#include "core/obj_reader.hpp"
 #include "core/place.hpp"
 #include "core/scene_block.hpp"
 #include "core/text_file.hpp"
@@ -23,7 +22,10 @@ namespace {
 
 class SceneReader {
  public:
-  explicit SceneReader(const std::filesystem::path& file) : file_(file) { scene_.file = file; }
+  SceneReader(const std::filesystem::path& file, const MeshReader& readMesh)
+      : file_(file), readMesh_(readMesh) {
+    scene_.file = file;
+  }
 
   Scene read(std::string_view text);
 
@@ -43,6 +45,7 @@ class SceneReader {
   std::size_t meshIndex(const std::filesystem::path& meshFile, const Place& place);
 
   const std::filesystem::path& file_;
+  const MeshReader& readMesh_;
   Scene scene_;
   std::string count_;  // as line 1 has it
   std::size_t blockCount_ = 0;
@@ -182,7 +185,7 @@ std::size_t SceneReader::meshIndex(const std::filesystem::path& meshFile, const 
   const auto [entry, isNew] = meshes_.try_emplace(std::move(key), scene_.meshes.size());
   if (!isNew) return entry->second;
   try {
-    scene_.meshes.push_back(readObj(meshFile));
+    scene_.meshes.push_back(readMesh_(meshFile));
   } catch (const UnreadableFile& error) {
     failAt(place, error.what());
   }
@@ -209,10 +212,10 @@ std::string readText(const std::filesystem::path& file) {
 
 }  // namespace
 
-Scene readScene(const std::filesystem::path& file) {
+Scene readScene(const std::filesystem::path& file, const MeshReader& readMesh) {
   const std::string text = readText(file);
   rejectNulBytes(text, file);
-  return SceneReader(file).read(text);
+  return SceneReader(file, readMesh).read(text);
 }
 
 }  // namespace lavaray
