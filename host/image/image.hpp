@@ -19,6 +19,7 @@ struct Rectangle {
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
+  bool operator==(const Rectangle&) const = default;
 };
 
 // The part of the image inside the rectangle, which lies within it.

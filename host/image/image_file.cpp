@@ -28,17 +28,6 @@ CImg<Value> planar(const Image& image, const Convert& convert) {
   return result;
 }
 
-// The header of a BMP file states its size in 32 bits.
-void checkBmpSize(const Image& image) {
-  const std::uint64_t row = (std::uint64_t{3} * image.width + 3) / 4 * 4;
-  const std::uint64_t bytes = 54 + row * image.height;
-  if (bytes <= 0xFFFFFFFFU) return;
-  throw Error(ExitCode::kOutput, "a BMP file of " + std::to_string(image.width) + " x " +
-                                     std::to_string(image.height) + " pixels would take " +
-                                     std::to_string(bytes) +
-                                     " bytes, at most 4294967295 are allowed; write " + ".png, .ppm or .pfm");
-}
-
 }  // namespace
 
 std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
@@ -50,6 +39,15 @@ std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
   if (ending == ".ppm") return ImageFormat::kPpm;
   if (ending == ".pfm") return ImageFormat::kPfm;
   return std::nullopt;
+}
+
+void checkBmpSize(int width, int height) {
+  const std::uint64_t row = (std::uint64_t{3} * width + 3) / 4 * 4;
+  const std::uint64_t bytes = 54 + row * height;
+  if (bytes <= 0xFFFFFFFFU) return;
+  throw Error(ExitCode::kOutput, "a BMP file of " + std::to_string(width) + " x " + std::to_string(height) +
+                                     " pixels would take " + std::to_string(bytes) +
+                                     " bytes, at most 4294967295 are allowed; write .png, .ppm or .pfm");
 }
 
 std::string formatName(ImageFormat format) {
@@ -79,7 +77,7 @@ Image asDisplayed(const Image& image) {
 }
 
 void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const TextEntries& texts) {
-  if (format == ImageFormat::kBmp) checkBmpSize(image);
+  if (format == ImageFormat::kBmp) checkBmpSize(image.width, image.height);
   if (format == ImageFormat::kPng) {
     writePng(image, texts, stream);
     return;

@@ -29,6 +29,9 @@ std::string formatName(ImageFormat format);
 // of the stream to check. Of the formats only PNG has texts.
 void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const TextEntries& texts = {});
 
+// Throws Error(kOutput) where a BMP file would be larger than its header can say.
+void checkBmpSize(int width, int height);
+
 // Throws Error(kInput) where the file cannot be read as its ending says. 8-bit values v become v / 255.
 Image readImage(const std::filesystem::path& file);
 

@@ -15,12 +15,6 @@
 namespace lavaray {
 namespace {
 
-struct Writer {
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-  ~Writer() { png_destroy_write_struct(&png, &info); }
-};
-
 struct Reader {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -62,32 +56,57 @@ std::vector<png_text> pngTexts(const TextEntries& entries) {
 
 }  // namespace
 
-void writePng(const Image& image, const TextEntries& entries, std::FILE* stream) {
+struct PngWriter::Library {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
   std::string message = "libpng cannot be started";
-  Writer writer;
-  writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, onError, onWarning);
-  if (writer.png != nullptr) writer.info = png_create_info_struct(writer.png);
-  if (writer.info == nullptr) throw Error(ExitCode::kOutput, "the image cannot be written: " + message);
+  ~Library() { png_destroy_write_struct(&png, &info); }
 
-  const std::vector<png_text> texts = pngTexts(entries);
-  std::vector<std::uint8_t> row(std::size_t{3} * image.width);
-  const bool written = succeeds(writer.png, [&] {
-    png_init_io(writer.png, stream);
-    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
-                 static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
-    png_write_info(writer.png, writer.info);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-      std::transform(&image.rgb[y * row.size()], &image.rgb[y * row.size()] + row.size(), row.begin(),
-                     toByte);
-      png_write_row(writer.png, row.data());
-    }
-    png_write_end(writer.png, writer.info);
-  });
-  if (!written && std::ferror(stream) == 0) {
+  // What goes wrong in the stream itself is for its owner to tell.
+  template <typename Body>
+  void run(std::FILE* stream, const Body& body) {
+    if (!succeeds(png, body) && std::ferror(stream) == 0) fail();
+  }
+  [[noreturn]] void fail() const {
     throw Error(ExitCode::kOutput, "the image cannot be written: " + message);
   }
+};
+
+PngWriter::PngWriter(int width, int height, const TextEntries& entries, std::FILE* stream)
+    : library_(std::make_unique<Library>()), stream_(stream), row_(std::size_t{3} * width) {
+  Library& l = *library_;
+  l.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &l.message, onError, onWarning);
+  if (l.png != nullptr) l.info = png_create_info_struct(l.png);
+  if (l.info == nullptr) l.fail();
+  const std::vector<png_text> texts = pngTexts(entries);
+  l.run(stream_, [&] {
+    png_init_io(l.png, stream);
+    png_set_IHDR(l.png, l.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_text(l.png, l.info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(l.png, l.info);
+  });
+}
+
+PngWriter::~PngWriter() = default;
+
+void PngWriter::writeRow(std::span<const float> rgb) {
+  std::transform(rgb.begin(), rgb.end(), row_.begin(), toByte);
+  library_->run(stream_, [&] { png_write_row(library_->png, row_.data()); });
+}
+
+void PngWriter::finish() {
+  library_->run(stream_, [&] { png_write_end(library_->png, library_->info); });
+}
+
+void writePng(const Image& image, const TextEntries& entries, std::FILE* stream) {
+  PngWriter png(image.width, image.height, entries, stream);
+  const std::size_t rowSize = std::size_t{3} * image.width;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    png.writeRow(std::span(image.rgb).subspan(y * rowSize, rowSize));
+  }
+  png.finish();
 }
 
 TextEntries readPngTexts(const std::filesystem::path& file) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,8 +16,27 @@ namespace lavaray {
 // Keyword and text, such as a PNG file carries. A keyword has 1 to 79 characters of ASCII.
 using TextEntries = std::vector<std::pair<std::string, std::string>>;
 
-// Writes 8 bits a channel and the texts: as tEXt, or as iTXt, which is UTF-8, where one is not ASCII. Throws
-// Error(kOutput) for what libpng refuses; whether all was written is for the owner of the stream to check.
+// Writes a PNG file row by row, 8 bits a channel, and the texts: as tEXt, or as iTXt, which is UTF-8, where
+// one is not ASCII. Throws Error(kOutput) for what libpng refuses; whether all was written is for the owner
+// of the stream to check.
+class PngWriter {
+ public:
+  PngWriter(int width, int height, const TextEntries& texts, std::FILE* stream);
+  ~PngWriter();
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+
+  // The next row, of 3 * width values.
+  void writeRow(std::span<const float> rgb);
+  void finish();
+
+ private:
+  struct Library;
+  std::unique_ptr<Library> library_;
+  std::FILE* stream_;
+  std::vector<std::uint8_t> row_;
+};
+
 void writePng(const Image& image, const TextEntries& texts, std::FILE* stream);
 
 // The texts that stand before the pixels, where writePng puts them. Throws Error(kInput) where the file
