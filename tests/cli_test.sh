@@ -154,8 +154,8 @@ expect 2 'box, tent, gaussian, blackman-harris' "$lavaray" "$scene" --filter mit
 expect 2 '' "$lavaray" "$scene" --spp 0
 expect 2 '' "$lavaray" "$scene" --spp 4 --target-error 0.1
 expect 0 'estimated RMSE' "$lavaray" "$scene" $small --target-error 0.01 --stats -o target.pfm
-expect 0 'stopped +with the most samples' "$lavaray" "$scene" $small --target-error 1e-6 --max-spp 8 --stats -o most.pfm
-expect 0 'stopped +at the time limit' "$lavaray" "$scene" $small --spp 4000000 --time-limit 0.5 --stats -o limited.pfm
+expect 0 'stopped +maxSamples' "$lavaray" "$scene" $small --target-error 1e-6 --max-spp 8 --stats -o most.pfm
+expect 0 'stopped +timeLimit' "$lavaray" "$scene" $small --spp 4000000 --time-limit 0.5 --stats -o limited.pfm
 expect 0 '' "$lavaray" "$scene" $small --target-error 0.005 --view samples -o samples.png
 expect 0 '' "$lavaray" "$scene" $small --target-error 0.005 --view error -o error.pfm
 expect 2 'needs --target-error' "$lavaray" "$scene" $small --view error
@@ -255,7 +255,7 @@ code=$?
 elapsed=$((($(date +%s%N) - started) / 1000000))
 checks=$((checks + 3))
 [ $code -eq 130 ] || { failures=$((failures + 1)); echo "FAILED: interrupted: exit code $code"; }
-grep -q 'interrupted; interrupted.ppm holds' stderr || { failures=$((failures + 1)); echo 'FAILED: no word of it'; }
+grep -q 'interrupted at .* %; interrupted.ppm holds' stderr || { failures=$((failures + 1)); echo 'FAILED: no word of it'; }
 [ -s interrupted.ppm ] || { failures=$((failures + 1)); echo 'FAILED: no picture'; }
 echo "an interrupted render ended after $elapsed ms"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "film/pixel_sum.hpp"
 #include "render/adaptive.hpp"
 #include "render/pixel_filter.hpp"
-#include "render/pixel_sum.hpp"
 
 namespace lavaray {
 namespace {

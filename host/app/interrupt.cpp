@@ -1,5 +1,6 @@
 #include "app/interrupt.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace lavaray {
@@ -14,12 +15,15 @@ void onSignal(int /*signal*/) {
 
 }  // namespace
 
-const std::atomic<bool>& catchInterrupts() {
+void catchInterrupts() {
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
+
+bool wasInterrupted() {
   return interrupted;
 }
 

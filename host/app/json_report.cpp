@@ -15,20 +15,6 @@ using Json = nlohmann::ordered_json;
 // Raised by whoever removes or renames an entry, or changes its meaning.
 constexpr int kSchema = 1;
 
-const char* name(StopReason reason) {
-  switch (reason) {
-    case StopReason::kMaxSamples:
-      return "maxSamples";
-    case StopReason::kTimeLimit:
-      return "timeLimit";
-    case StopReason::kInterrupted:
-      return "interrupted";
-    case StopReason::kFinished:
-      break;
-  }
-  return "finished";
-}
-
 Json sceneJson(const Scene& scene) {
   Json files = Json::array();
   for (const Mesh& mesh : scene.meshes) {
@@ -61,9 +47,8 @@ Json bvhJson(const GpuScene& scene) {
 }
 
 Json samplingJson(const RenderResult& result) {
-  const double pixels = static_cast<double>(result.image.width) * result.image.height;
-  return {{"stopped", name(result.stopReason)},
-          {"samplesPerPixel", static_cast<double>(result.counts.samples) / pixels},
+  return {{"stopped", stopReasonName(result.stopReason)},
+          {"samplesPerPixel", result.samplesPerPixel},
           {"mostSamplesPerPixel", result.mostSamples},
           {"skippedPixels", result.skippedPixels},
           {"estimatedRmse", result.estimatedError > 0.0 ? Json(result.estimatedError) : Json()}};

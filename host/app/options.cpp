@@ -15,9 +15,11 @@ namespace lavaray {
 namespace {
 
 void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
-  app.add_option("-o,--output", options.output,
-                 "Image to write; its ending says the format: .bmp, .png or .ppm (8 bits a channel) or .pfm "
-                 "(float). '-' writes PPM to stdout. Default: SCENE's name with .bmp, in the current folder")
+  app.add_option(
+         "-o,--output", options.output,
+         "Image to write; its ending says the format: .bmp, .png or .ppm (8 bits a channel), .pfm "
+         "(float) or .film (a part for lavaray-merge). '-' writes PPM to stdout. Default: SCENE's name "
+         "with .bmp, in the current folder")
       ->type_name("FILE");
   const CLI::Range side(1, kMaxImageSide);
   app.add_option("--width", options.width, "Width in pixels of the same view; without --height by its aspect")
@@ -32,6 +34,33 @@ void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
       ->delimiter(',')
       ->expected(4);
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
+}
+
+// Throws Error(kUsage) where the text is no range.
+SampleRange sampleRange(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string parts[] = {text.substr(0, colon), colon < text.size() ? text.substr(colon + 1) : ""};
+  std::uint32_t numbers[2];
+  for (int i = 0; i < 2; ++i) {
+    if (!CLI::detail::lexical_cast(parts[i], numbers[i])) {
+      throw Error(ExitCode::kUsage,
+                  "--sample-range " + text + " is no range, allowed is A:B, the samples A <= i < B");
+    }
+  }
+  return {numbers[0], numbers[1]};
+}
+
+void checkSampleRange(const Options& options) {
+  if (!options.sampleRange) return;
+  const auto [first, end] = *options.sampleRange;
+  const auto fits = [&](std::uint32_t i) { return i % gpu::kMaxSamplesPerItem == 0 || i == options.samples; };
+  // Samples are summed in groups of so many, which a part must not divide: the sum would be rounded
+  // otherwise.
+  if (options.samples > 1 && first < end && end <= options.samples && fits(first) && fits(end)) return;
+  throw Error(ExitCode::kUsage,
+              "--sample-range A:B must have 0 <= A < B <= " + std::to_string(options.samples) +
+                  ", the samples of --spp, of which 2 or " + "more must be asked for; A and B multiples of " +
+                  std::to_string(gpu::kMaxSamplesPerItem) + ", or B all samples");
 }
 
 void addSamplingOptions(CLI::App& app, Options& options) {
@@ -59,17 +88,22 @@ void addSamplingOptions(CLI::App& app, Options& options) {
   app.add_option("--time-limit", options.timeLimitSeconds, "Stop sampling after S seconds")
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e9));
+  app.add_option_function<std::string>(
+         "--sample-range", [&options](const std::string& text) { options.sampleRange = sampleRange(text); },
+         "Only the samples A <= i < B of the --spp samples of each pixel, for a part to be merged")
+      ->type_name("A:B")
+      ->needs(spp);
   app.add_option("--seed", options.seed, "Other samples of the same picture")
       ->type_name("N")
       ->capture_default_str();
   app.add_option_function<std::string>(
          "--sampler",
          [&options](const std::string& name) {
-           options.sampler = name == "random" ? Sampler::kRandom : Sampler::kSobol;
+           options.sampler = name == samplerName(Sampler::kRandom) ? Sampler::kRandom : Sampler::kSobol;
          },
          "Sample positions: sobol (Owen-scrambled) or random, for comparison. Default: sobol")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"sobol", "random"}));
+      ->check(CLI::IsMember({samplerName(Sampler::kSobol), samplerName(Sampler::kRandom)}));
 }
 
 void addViewOption(CLI::App& app, Options& options) {
@@ -101,6 +135,29 @@ void addSceneOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
+void addFilmOptions(CLI::App& app, Options& options) {
+  CLI::Option* checkpoint = app.add_option("--checkpoint", options.checkpoint,
+                                           "Keep in FILE what is rendered so far, to be resumed from")
+                                ->type_name("FILE");
+  app.add_option("--checkpoint-every", options.checkpointSeconds, "Seconds from one checkpoint to the next")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str()
+      ->needs(checkpoint);
+  app.add_option("--resume", options.resume,
+                 "Go on from the checkpoint FILE of the same picture; bit for bit as if never stopped")
+      ->type_name("FILE");
+}
+
+void addInteractiveOptions(CLI::App& app, Options& options) {
+  app.add_flag("--display", options.display,
+               "Show the picture in a window while it grows; closes on Esc, q or its button");
+  app.add_flag("--watch", options.watch,
+               "Render again whenever the scene, its meshes or a shader of --shaders changes");
+  app.add_option("--shaders", options.shaders, "Compile the shaders in DIR in place of those in the program")
+      ->type_name("DIR");
+}
+
 void addOtherOptions(CLI::App& app, Options& options) {
   app.add_option(
          "--device", options.device,
@@ -119,14 +176,38 @@ void addOtherOptions(CLI::App& app, Options& options) {
   app.add_flag("-v,--verbose", options.verbose, "Say what is done")->excludes(quiet);
 }
 
+bool isFilm(const std::string& output) {
+  return std::filesystem::path(output).extension() == ".film";
+}
+
 std::string defaultOutput(const std::filesystem::path& scene) {
   return scene.stem().string() + ".bmp";
 }
 
 void checkOutput(const std::string& output) {
-  if (output == "-" || imageFormat(output)) return;
+  if (output == "-" || imageFormat(output) || isFilm(output)) return;
   throw Error(ExitCode::kUsage, "--output " + output + ": its ending says no image format; allowed are " +
-                                    kImageFormatNames + ", or - for PPM to stdout");
+                                    kImageFormatNames + " and .film, or - for PPM to stdout");
+}
+
+void checkFilms(const Options& options) {
+  const bool hasFilm = writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
+  if (hasFilm && options.view != View::kColor) {
+    throw Error(ExitCode::kUsage, "a checkpoint or film is of colours; --view " + viewName(options.view) +
+                                      " cannot be kept in one");
+  }
+  if (writesFilm(options) && options.normalize) {
+    throw Error(ExitCode::kUsage, "--normalize is for the whole picture; give it to lavaray-merge");
+  }
+  if (options.sampleRange && !writesFilm(options)) {
+    throw Error(ExitCode::kUsage,
+                "--sample-range is for a part of a picture; give --output the ending .film");
+  }
+  if (options.watch && (hasFilm || options.output == "-")) {
+    throw Error(ExitCode::kUsage,
+                "--watch writes a picture file again and again; it goes with neither films, "
+                "--checkpoint nor --resume, nor with stdout");
+  }
 }
 
 }  // namespace
@@ -144,6 +225,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   addSamplingOptions(app, options);
   addViewOption(app, options);
   addSceneOptions(app, options);
+  addFilmOptions(app, options);
+  addInteractiveOptions(app, options);
   addOtherOptions(app, options);
   try {
     app.parse(argc, argv);
@@ -165,8 +248,14 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   }
   if (options.output.empty()) options.output = defaultOutput(options.scene);
   checkOutput(options.output);
+  checkSampleRange(options);
+  checkFilms(options);
   if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};
   return options;
+}
+
+bool writesFilm(const Options& options) {
+  return isFilm(options.output);
 }
 
 void applyDefaults(const Options& options, Scene& scene) {

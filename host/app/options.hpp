@@ -14,12 +14,14 @@ namespace lavaray {
 // The command line, checked as far as that goes without reading the scene.
 struct Options {
   std::filesystem::path scene;
-  std::string output;  // a path, or "-" for PPM to stdout
+  std::string
+      output;  // a path, or "-" for PPM to stdout; with the ending .film the film in place of a picture
   std::optional<int> width;
   std::optional<int> height;
   std::optional<Rectangle> crop;
   bool normalize = false;
   std::uint32_t samples = 1;
+  std::optional<SampleRange> sampleRange;  // of these samples
   Sampler sampler = Sampler::kSobol;
   PixelFilter filter = PixelFilter::kBox;
   std::optional<double> targetError;
@@ -35,7 +37,13 @@ struct Options {
   bool check = false;
   bool validate = false;
   bool stats = false;
-  std::string json;  // a path, or empty
+  std::string json;               // a path, or empty
+  std::filesystem::path shaders;  // a folder, or empty
+  bool watch = false;
+  bool display = false;
+  std::filesystem::path checkpoint;  // or empty
+  double checkpointSeconds = 60.0;
+  std::filesystem::path resume;  // or empty
   bool quiet = false;
   bool verbose = false;
 };
@@ -46,6 +54,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv);
 // The size of the image: the camera's, or the one asked for, where a missing side keeps the camera's aspect.
 // Throws Error(kUsage) where a side or the crop is out of range.
 ImageSize outputSize(const Options& options, const ImageSize& cameraSize);
+
+bool writesFilm(const Options& options);  // in place of a picture
 
 // Gives materials and lights that say nothing of it the reflectance and the radius that the options ask for.
 void applyDefaults(const Options& options, Scene& scene);

@@ -24,16 +24,17 @@ std::string describe(double number) {
 
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const RenderResult& result,
                            const std::string& device, double seconds) {
-  const double pixels = static_cast<double>(result.image.width) * result.image.height;
   TextEntries entries = {
       {"Software", std::string("lavaray ") + kVersion},
       {"Scene", options.scene.filename().string()},  // without the folders of who made it
       {"Size", describe(settings.size, options.crop)},
       // In the mean; a render to a target error, or one that was stopped, takes them where they help most.
-      {"Samples per pixel", describe(static_cast<double>(result.counts.samples) / pixels)},
+      {"Samples per pixel", describe(result.samplesPerPixel)},
       {"Seed", std::to_string(settings.seed)},
       {"Device", device},
       {"Seconds", describe(seconds)}};
+  if (result.stopReason != StopReason::kFinished)
+    entries.emplace_back("Stopped", stopReasonName(result.stopReason));
   if (options.view != View::kColor) entries.emplace_back("View", viewName(options.view));
   return entries;
 }

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <iomanip>
+#include <sstream>
 
 #include "core/camera.hpp"
 
@@ -15,20 +16,6 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
 
 double mebibytes(std::size_t bytes) {
   return static_cast<double>(bytes) / (1U << 20U);
-}
-
-const char* describe(StopReason reason) {
-  switch (reason) {
-    case StopReason::kMaxSamples:
-      return "with the most samples allowed";
-    case StopReason::kTimeLimit:
-      return "at the time limit";
-    case StopReason::kInterrupted:
-      return "interrupted";
-    case StopReason::kFinished:
-      break;
-  }
-  return "finished";
 }
 
 }  // namespace
@@ -51,6 +38,15 @@ void StepTimes::print(std::ostream& out) const {
   }
   out << "  " << std::left << std::setw(18) << "all" << std::right << std::setw(9)
       << milliseconds(last_ - begin_) << '\n';
+}
+
+std::string StepTimes::inOneLine() const {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0);
+  for (const auto& [name, duration] : steps_) {
+    text << (text.tellp() > 0 ? ", " : "") << name << ' ' << milliseconds(duration) << " ms";
+  }
+  return text.str();
 }
 
 void printScene(std::ostream& out, const Scene& scene) {
@@ -96,13 +92,11 @@ void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuS
       << " primitives in the mean\n  depth           " << bvh.depth << " of at most " << gpu::kMaxBvhDepth
       << "\n  as traversed    " << gpuScene.nodes.size() << " nodes of up to " << gpu::kNodeWidth
       << " children, depth " << gpuScene.bvhDepth << "\n  SAH cost        " << bvh.sahCost << '\n';
-  const double pixels = static_cast<double>(result.image.width) * result.image.height;
-  out << "rays\n  camera          " << result.counts.samples << " ("
-      << static_cast<double>(result.counts.samples) / pixels << " a pixel, at most " << result.mostSamples
-      << ")\n  mirror          " << result.counts.mirrorRays << "\n  shadow          "
-      << result.counts.shadowRays << "\nskipped\n  shadow rays     " << result.counts.skippedShadowRays
-      << "\n  black pixels    " << result.skippedPixels << "\nsampling\n  stopped         "
-      << describe(result.stopReason) << '\n';
+  out << "rays\n  camera          " << result.counts.samples << " (" << result.samplesPerPixel
+      << " a pixel, at most " << result.mostSamples << ")\n  mirror          " << result.counts.mirrorRays
+      << "\n  shadow          " << result.counts.shadowRays << "\nskipped\n  shadow rays     "
+      << result.counts.skippedShadowRays << "\n  black pixels    " << result.skippedPixels
+      << "\nsampling\n  stopped         " << stopReasonName(result.stopReason) << '\n';
   if (result.estimatedError > 0.0) {
     out << "  estimated RMSE  " << std::setprecision(6) << result.estimatedError << std::setprecision(2)
         << '\n';

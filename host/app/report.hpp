@@ -19,6 +19,7 @@ class StepTimes {
   // Ends the step that began with the last call, or with the construction.
   void endStep(const std::string& name);
   void print(std::ostream& out) const;
+  [[nodiscard]] std::string inOneLine() const;
   using Clock = std::chrono::steady_clock;
   using Step = std::pair<std::string, Clock::duration>;
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }

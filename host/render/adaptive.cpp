@@ -1,7 +1,9 @@
 #include "render/adaptive.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -121,6 +123,14 @@ void AdaptiveSampling::add(const gpu::WorkItem& item, const gpu::WorkResult& res
   pixels_[item.pixel].squares += PixelSum::toFixedPoint(result.squares);
 }
 
+void AdaptiveSampling::goOnWith(std::vector<HalfSums> pixels) {
+  assert(pixels.size() == pixels_.size());
+  pixels_ = std::move(pixels);
+  hasStarted_ = true;
+  for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel)
+    plannedSamples_ += kUsualGrowth * samples(pixel);
+}
+
 // Items end at powers of two up to the largest size and at multiples of it, wherever a pass ends: so samples
 // are always summed in the same groups, and the image does not depend on the passes that took them.
 void AdaptiveSampling::appendSamples(std::vector<gpu::WorkItem>& items, std::size_t pixel,
@@ -169,7 +179,7 @@ std::vector<gpu::WorkItem> AdaptiveSampling::nextItems() {
 }
 
 AdaptiveSampling::Statistics AdaptiveSampling::statistics(std::size_t pixel) const {
-  const std::array<PixelSum, 2>& halves = pixels_[pixel].halves;
+  const auto& halves = pixels_[pixel].halves;
   const double n = samples(pixel);
   const glm::dvec3 pixelMean = mean(pixel);
   const double difference = meanSquare((halves[0].mean() - halves[1].mean()) / 2.0);

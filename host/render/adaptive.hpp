@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "film/film.hpp"
 #include "interface.h"
-#include "render/pixel_sum.hpp"
 
 namespace lavaray {
 
@@ -31,6 +31,10 @@ class AdaptiveSampling {
   std::vector<gpu::WorkItem> nextItems();
   void add(const gpu::WorkItem& item, const gpu::WorkResult& result);
 
+  // All that the plan goes by, to be kept and to be given back to a new plan for the same image.
+  [[nodiscard]] std::span<const HalfSums> pixels() const { return pixels_; }
+  void goOnWith(std::vector<HalfSums> pixels);
+
   [[nodiscard]] bool reachedTarget() const { return estimatedError_ <= goal_; }
   [[nodiscard]] double estimatedError() const { return estimatedError_; }  // RMSE over pixels and channels
   [[nodiscard]] double estimatedError(std::uint64_t pixel) const;
@@ -40,11 +44,6 @@ class AdaptiveSampling {
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const;
 
  private:
-  struct Pixel {
-    std::array<PixelSum, 2> halves;
-    // Sum over the samples of the mean over the channels of the squared colour, in fixed point as the others.
-    std::int64_t squares = 0;
-  };
   // What a pixel's samples say, apart from its neighbours.
   struct Statistics {
     glm::vec3 mean;
@@ -80,7 +79,7 @@ class AdaptiveSampling {
   double estimatedError_ = 1.0;
   double plannedSamples_ = 0.0;
   bool hasStarted_ = false;
-  std::vector<Pixel> pixels_;
+  std::vector<HalfSums> pixels_;
   std::vector<std::uint64_t> smallObjects_;
   std::vector<std::uint8_t> hardnessSteps_;  // 0 is no error at all
 };

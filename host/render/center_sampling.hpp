@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render/sampling.hpp"
@@ -19,6 +20,17 @@ class CenterSampling : public Sampling {
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return pixel < done_ ? 1 : 0; }
   [[nodiscard]] double shareDone() const override {
     return static_cast<double>(done_) / static_cast<double>(values_.size());
+  }
+
+  void describe(FilmHeader& header) const override {
+    header.kind = FilmKind::kCenters;
+    header.itemsDone = done_;
+  }
+  void write(FilmWriter& film) const override { film.write(std::as_bytes(std::span(values_))); }
+  void read(FilmReader& film) override {
+    film.readPixels(std::as_writable_bytes(std::span(values_)));
+    done_ = film.header().itemsDone;
+    goOnAt(done_, values_.size());
   }
 
  private:

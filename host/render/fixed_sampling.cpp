@@ -1,6 +1,8 @@
 #include "render/fixed_sampling.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <span>
 
 namespace lavaray {
 namespace {
@@ -23,12 +25,35 @@ std::uint64_t FixedSampling::mostItems(std::uint64_t pixels, SampleRange range) 
   return pixels * itemsFor(std::min(range.end - range.first, kRoundSamples));
 }
 
+void FixedSampling::startRound(std::uint32_t first, std::uint32_t size) {
+  roundFirst_ = first;
+  roundSize_ = size;
+  roundItems_ = itemsFor(size);
+}
+
 std::uint64_t FixedSampling::planPass() {
-  roundFirst_ += roundSize_;
-  const std::uint32_t usual = std::clamp(roundFirst_ - range_.first, gpu::kMaxSamplesPerItem, kRoundSamples);
-  roundSize_ = std::min(usual, range_.end - roundFirst_);
-  roundItems_ = itemsFor(roundSize_);
+  const std::uint32_t first = roundFirst_ + roundSize_;
+  const std::uint32_t usual = std::clamp(first - range_.first, gpu::kMaxSamplesPerItem, kRoundSamples);
+  startRound(first, std::min(usual, range_.end - first));
   return sums_.size() * roundItems_;
+}
+
+void FixedSampling::describe(FilmHeader& header) const {
+  assert(measured_.empty());  // films are of colours
+  header.kind = FilmKind::kFixed;
+  header.roundFirst = roundFirst_;
+  header.roundSize = roundSize_;
+  header.itemsDone = itemsDone();
+}
+
+void FixedSampling::write(FilmWriter& film) const {
+  film.write(std::as_bytes(std::span(sums_)));
+}
+
+void FixedSampling::read(FilmReader& film) {
+  film.readPixels(std::as_writable_bytes(std::span(sums_)));
+  startRound(film.header().roundFirst, film.header().roundSize);
+  goOnAt(film.header().itemsDone, sums_.size() * roundItems_);
 }
 
 gpu::WorkItem FixedSampling::item(std::uint64_t index) const {

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "render/pixel_sum.hpp"
 #include "render/sampling.hpp"
 #include "render/settings.hpp"
 
@@ -22,7 +21,12 @@ class FixedSampling : public Sampling {
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return sums_[pixel].samples(); }
   [[nodiscard]] double shareDone() const override;
 
+  void describe(FilmHeader& header) const override;
+  void write(FilmWriter& film) const override;
+  void read(FilmReader& film) override;
+
  private:
+  void startRound(std::uint32_t first, std::uint32_t size);
   std::uint64_t planPass() override;
   void take(std::uint64_t index, const gpu::WorkResult& result) override;
 

@@ -1,5 +1,6 @@
 #include "render/pixel_filter.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -9,6 +10,9 @@ namespace {
 
 constexpr int kTableSize = 257;
 constexpr int kSteps = 1 << 16;  // of the integration
+
+constexpr std::array kFilters = {PixelFilter::kBox, PixelFilter::kTent, PixelFilter::kGaussian,
+                                 PixelFilter::kBlackmanHarris};
 
 struct Shape {
   double radius;
@@ -38,11 +42,24 @@ Shape shapeOf(PixelFilter filter) {
 }  // namespace
 
 std::optional<PixelFilter> pixelFilter(const std::string& name) {
-  if (name == "box") return PixelFilter::kBox;
-  if (name == "tent") return PixelFilter::kTent;
-  if (name == "gaussian") return PixelFilter::kGaussian;
-  if (name == "blackman-harris") return PixelFilter::kBlackmanHarris;
+  for (const PixelFilter filter : kFilters) {
+    if (name == pixelFilterName(filter)) return filter;
+  }
   return std::nullopt;
+}
+
+std::string pixelFilterName(PixelFilter filter) {
+  switch (filter) {
+    case PixelFilter::kTent:
+      return "tent";
+    case PixelFilter::kGaussian:
+      return "gaussian";
+    case PixelFilter::kBlackmanHarris:
+      return "blackman-harris";
+    case PixelFilter::kBox:
+      break;
+  }
+  return "box";
 }
 
 double filterReach(PixelFilter filter) {

@@ -17,6 +17,7 @@ enum class PixelFilter {
 inline constexpr const char* kPixelFilterNames = "box, tent, gaussian, blackman-harris";
 
 std::optional<PixelFilter> pixelFilter(const std::string& name);
+std::string pixelFilterName(PixelFilter filter);
 
 // The farthest offset from the pixel's centre, in pixels.
 double filterReach(PixelFilter filter);

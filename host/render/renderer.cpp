@@ -1,8 +1,6 @@
 #include "render/renderer.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <memory>
 
 #include "render/center_sampling.hpp"
 #include "render/covered_part.hpp"
@@ -12,8 +10,6 @@
 
 namespace lavaray {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::uint64_t pixelsOf(const Rectangle& part) {
   return static_cast<std::uint64_t>(part.x1 - part.x0) * static_cast<std::uint64_t>(part.y1 - part.y0);
@@ -27,7 +23,7 @@ Rectangle tracedPart(const GpuScene& scene, const Camera& camera, const RenderSe
 }
 
 SampleRange sampleRange(const RenderSettings& settings) {
-  return {settings.firstSample, settings.samples};
+  return settings.range.value_or(SampleRange{0, settings.samples});
 }
 
 std::unique_ptr<Sampling> makeSampling(const GpuScene& scene, const Camera& camera,
@@ -49,105 +45,161 @@ std::uint64_t mostItems(const RenderSettings& settings) {
   return FixedSampling::mostItems(pixels, sampleRange(settings));
 }
 
-// One render of settings.crop, of which it traces the part that can show anything.
-class Render : public RenderInProgress {
- public:
-  Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings)
-      : crop_(settings.crop), settings_(settings) {
-    settings_.crop = tracedPart(scene, camera, settings);
-    if (pixelsOf(settings_.crop) == 0) return;
-    sampling_ = makeSampling(scene, camera, settings_);
-    tracer_.emplace(device, scene, camera, settings_, mostItems(settings_));
-  }
-
-  RenderResult run(const Proceed& proceed) {
-    RenderResult result;
-    if (sampling_) result.stopReason = trace(proceed);
-    result.image = image();
-    result.skippedPixels = pixelsOf(crop_) - pixelsOf(settings_.crop);
-    if (!sampling_) return result;
-    result.estimatedError = sampling_->estimatedError();
-    result.mostSamples = mostSamples();
-    result.counts = tracer_->counts();
-    result.deviceBytes = tracer_->deviceBytes();
-    return result;
-  }
-
-  [[nodiscard]] double shareDone() const override { return sampling_->shareDone(); }
-  [[nodiscard]] double samplesPerPixel() const override {
-    return static_cast<double>(tracer_->counts().samples) / static_cast<double>(pixelsOf(crop_));
-  }
-  [[nodiscard]] double estimatedError() const override { return sampling_->estimatedError(); }
-
-  [[nodiscard]] Image image() const override {
-    const Rectangle& part = settings_.crop;
-    Image traced{part.x1 - part.x0, part.y1 - part.y0, std::vector<float>(3 * pixelsOf(part))};
-    const std::uint32_t most = settings_.view == View::kSamples ? mostSamples() : 1;
-    for (std::uint64_t pixel = 0; pixel < pixelsOf(part); ++pixel) {
-      const glm::vec3 color = shown(pixel, most);
-      for (int channel = 0; channel < 3; ++channel) traced.rgb[3 * pixel + channel] = color[channel];
-    }
-    if (isMeasure(settings_.view)) normalize(traced);
-    Image whole{crop_.x1 - crop_.x0, crop_.y1 - crop_.y0, {}};
-    if (whole.width == traced.width && whole.height == traced.height) return traced;
-    whole.rgb.resize(3 * pixelsOf(crop_));
-    paste(traced, part.x0 - crop_.x0, part.y0 - crop_.y0, whole);
-    return whole;
-  }
-
- private:
-  StopReason trace(const Proceed& proceed) {
-    const Clock::time_point start = Clock::now();
-    StopReason reason = StopReason::kFinished;
-    const auto stop = [&] {
-      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-      if (!proceed(*this)) {
-        reason = StopReason::kInterrupted;
-      } else if (settings_.timeLimitSeconds && seconds >= *settings_.timeLimitSeconds) {
-        reason = StopReason::kTimeLimit;
-      }
-      return reason != StopReason::kFinished;
-    };
-    while (sampling_->itemsDone() < sampling_->passItems() || sampling_->startPass()) {
-      const bool finished = tracer_->run(
-          sampling_->itemsDone(), sampling_->passItems(),
-          [this](std::uint64_t index) { return sampling_->item(index); },
-          [this](std::uint64_t /*index*/, const gpu::WorkResult& result) { sampling_->add(result); }, stop);
-      if (!finished) return reason;
-    }
-    return sampling_->reachedGoal() ? StopReason::kFinished : StopReason::kMaxSamples;
-  }
-
-  [[nodiscard]] std::uint32_t mostSamples() const {
-    std::uint32_t most = 1;
-    const std::uint64_t pixels = pixelsOf(settings_.crop);
-    for (std::uint64_t pixel = 0; pixel < pixels; ++pixel) most = std::max(most, sampling_->samples(pixel));
-    return most;
-  }
-
-  // What the view shows of a pixel.
-  [[nodiscard]] glm::vec3 shown(std::uint64_t pixel, std::uint32_t most) const {
-    switch (settings_.view) {
-      case View::kSamples:
-        return glm::vec3(static_cast<float>(sampling_->samples(pixel)) / static_cast<float>(most));
-      case View::kError:
-        return glm::vec3(static_cast<float>(std::min(1.0, sampling_->estimatedError(pixel))));
-      default:
-        return sampling_->value(pixel);
-    }
-  }
-
-  Rectangle crop_;                      // of the image that is asked for
-  RenderSettings settings_;             // their crop is the part that is traced
-  std::unique_ptr<Sampling> sampling_;  // none where nothing is traced
-  std::optional<Tracer> tracer_;
-};
-
 }  // namespace
 
+const char* stopReasonName(StopReason reason) {
+  switch (reason) {
+    case StopReason::kMaxSamples:
+      return "maxSamples";
+    case StopReason::kTimeLimit:
+      return "timeLimit";
+    case StopReason::kInterrupted:
+      return "interrupted";
+    case StopReason::kFinished:
+      break;
+  }
+  return "finished";
+}
+
+Render::Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
+               const RenderSettings& settings)
+    : device_(device), crop_(settings.crop), settings_(settings), start_(Clock::now()) {
+  settings_.crop = tracedPart(scene, camera, settings);
+  if (pixelsOf(settings_.crop) == 0) return;
+  sampling_ = makeSampling(scene, camera, settings_);
+  tracer_.emplace(device, scene, camera, settings_, mostItems(settings_));
+}
+
+Render::~Render() = default;
+
+void Render::goOnFrom(FilmReader& film) {
+  if (!isTraced()) return;
+  sampling_->read(film);
+  for (std::uint64_t pixel = 0; pixel < pixelsOf(settings_.crop); ++pixel) {
+    earlierSamples_ += sampling_->samples(pixel);
+  }
+}
+
+void Render::run(const Proceed& proceed) {
+  stopReason_ = StopReason::kFinished;
+  isComplete_ = !isTraced();
+  if (!isTraced()) return;
+  while (sampling_->itemsDone() < sampling_->passItems() || sampling_->startPass()) {
+    const bool finished = tracer_->run(
+        sampling_->itemsDone(), sampling_->passItems(),
+        [this](std::uint64_t index) { return sampling_->item(index); },
+        [this](std::uint64_t /*index*/, const gpu::WorkResult& result) { sampling_->add(result); },
+        [&] {
+          const std::optional<StopReason> reason = reasonToStop(proceed);
+          if (reason) stopReason_ = *reason;
+          return reason.has_value();
+        });
+    if (!finished) return;
+  }
+  isComplete_ = true;
+  if (!sampling_->reachedGoal()) stopReason_ = StopReason::kMaxSamples;
+}
+
+std::optional<StopReason> Render::reasonToStop(const Proceed& proceed) const {
+  if (!proceed()) return StopReason::kInterrupted;
+  if (settings_.timeLimitSeconds && seconds() >= *settings_.timeLimitSeconds) return StopReason::kTimeLimit;
+  return std::nullopt;
+}
+
+double Render::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+double Render::shareDone() const {
+  if (!isTraced()) return 1.0;
+  const double timeShare = settings_.timeLimitSeconds ? seconds() / *settings_.timeLimitSeconds : 0.0;
+  return std::clamp(timeShare, sampling_->shareDone(), 1.0);
+}
+
+double Render::samplesPerPixel() const {
+  if (!isTraced()) return 0.0;
+  return static_cast<double>(earlierSamples_ + tracer_->counts().samples) /
+         static_cast<double>(pixelsOf(crop_));
+}
+
+double Render::estimatedError() const {
+  return isTraced() ? sampling_->estimatedError() : 0.0;
+}
+
+Image Render::image() const {
+  const Rectangle& part = settings_.crop;
+  Image traced{part.x1 - part.x0, part.y1 - part.y0, std::vector<float>(3 * pixelsOf(part))};
+  const std::uint32_t most = settings_.view == View::kSamples ? mostSamples() : 1;
+  for (std::uint64_t pixel = 0; pixel < pixelsOf(part); ++pixel) {
+    const glm::vec3 color = shown(pixel, most);
+    for (int channel = 0; channel < 3; ++channel) traced.rgb[3 * pixel + channel] = color[channel];
+  }
+  if (isMeasure(settings_.view)) normalize(traced);
+  Image whole{crop_.x1 - crop_.x0, crop_.y1 - crop_.y0, {}};
+  if (whole.width == traced.width && whole.height == traced.height) return traced;
+  whole.rgb.resize(3 * pixelsOf(crop_));
+  paste(traced, part.x0 - crop_.x0, part.y0 - crop_.y0, whole);
+  return whole;
+}
+
+RenderResult Render::result() const {
+  RenderResult result;
+  result.image = image();
+  result.stopReason = stopReason_;
+  result.skippedPixels = pixelsOf(crop_) - pixelsOf(settings_.crop);
+  result.mostSamples = mostSamples();
+  result.samplesPerPixel = samplesPerPixel();
+  if (!isTraced()) return result;
+  result.estimatedError = sampling_->estimatedError();
+  result.counts = tracer_->counts();
+  result.deviceBytes = tracer_->deviceBytes();
+  return result;
+}
+
+void Render::writeFilm(std::FILE* stream, const Identity& identity) const {
+  FilmHeader header;
+  header.identity = identity;
+  header.device = device_.description().name;
+  header.size = settings_.size;
+  header.crop = crop_;
+  header.traced = settings_.crop;
+  if (!settings_.targetError) {
+    header.range = sampleRange(settings_);
+    header.samples = settings_.samples;
+  }
+  header.isComplete = isComplete_;
+  if (isTraced()) sampling_->describe(header);
+  FilmWriter film(stream, header);
+  if (isTraced()) sampling_->write(film);
+  film.finish();
+}
+
+std::uint32_t Render::mostSamples() const {
+  std::uint32_t most = 1;
+  if (!isTraced()) return most;
+  for (std::uint64_t pixel = 0; pixel < pixelsOf(settings_.crop); ++pixel) {
+    most = std::max(most, sampling_->samples(pixel));
+  }
+  return most;
+}
+
+// What the view shows of a pixel, where `most` is the largest number of samples of one.
+glm::vec3 Render::shown(std::uint64_t pixel, std::uint32_t most) const {
+  switch (settings_.view) {
+    case View::kSamples:
+      return glm::vec3(static_cast<float>(sampling_->samples(pixel)) / static_cast<float>(most));
+    case View::kError:
+      return glm::vec3(static_cast<float>(std::min(1.0, sampling_->estimatedError(pixel))));
+    default:
+      return sampling_->value(pixel);
+  }
+}
+
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
-                    const RenderSettings& settings, const Proceed& proceed) {
-  return Render(device, scene, camera, settings).run(proceed);
+                    const RenderSettings& settings) {
+  Render render(device, scene, camera, settings);
+  render.run([] { return true; });
+  return render.result();
 }
 
 }  // namespace lavaray

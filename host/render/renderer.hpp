@@ -1,9 +1,14 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <functional>
+#include <memory>
+#include <optional>
 
 #include "core/flatten.hpp"
+#include "film/film_file.hpp"
 #include "image/image.hpp"
 #include "render/settings.hpp"
 #include "render/tracer.hpp"
@@ -17,31 +22,67 @@ enum class StopReason {
   kInterrupted,
 };
 
+const char* stopReasonName(StopReason reason);
+
 struct RenderResult {
   Image image;  // of the crop's size; black where no sample was taken
   StopReason stopReason = StopReason::kFinished;
   double estimatedError = 0.0;      // RMSE, where there was a target
   std::uint32_t mostSamples = 1;    // of a pixel
   std::uint64_t skippedPixels = 0;  // known to be black without a sample
-  TraceCounts counts;
+  TraceCounts counts;               // of this process
+  double samplesPerPixel = 0.0;
   std::size_t deviceBytes = 0;
 };
 
-// A render that is under way.
-class RenderInProgress {
+class Sampling;
+
+// A render of settings.crop. It can be looked at and kept while it is under way, between two pieces of work.
+class Render {
  public:
-  virtual ~RenderInProgress() = default;
-  [[nodiscard]] virtual double shareDone() const = 0;        // in [0, 1]; estimated where there is a target
-  [[nodiscard]] virtual double samplesPerPixel() const = 0;  // in the mean
-  [[nodiscard]] virtual double estimatedError() const = 0;   // RMSE, where there is a target, else 0
-  [[nodiscard]] virtual Image image() const = 0;             // as far as it is known
+  // The device and the scene must outlive it. Throws Error(kDevice) where the scene does not fit the device.
+  Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings);
+  ~Render();
+
+  // Takes up what the film has, as if it had been rendered here. Its identity, crop and range are those of
+  // this render. Throws Error(kInput) where it cannot be read.
+  void goOnFrom(FilmReader& film);
+
+  // Is called about ten times a second and returns whether to go on.
+  using Proceed = std::function<bool()>;
+  // Throws Error(kDevice) where the device fails or cannot finish a ray.
+  void run(const Proceed& proceed);
+
+  [[nodiscard]] double shareDone() const;  // in [0, 1]; estimated where there is a target or a time limit
+  [[nodiscard]] double samplesPerPixel() const;  // in the mean, those of a film included
+  [[nodiscard]] double estimatedError() const;   // RMSE, where there is a target, else 0
+  [[nodiscard]] Image image() const;             // as far as it is known; black where no sample was taken
+  [[nodiscard]] RenderResult result() const;     // of run()
+
+  // Writes all there is, to go on from; the view is the colour.
+  void writeFilm(std::FILE* stream, const Identity& identity) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] bool isTraced() const { return sampling_ != nullptr; }
+  [[nodiscard]] std::optional<StopReason> reasonToStop(const Proceed& proceed) const;
+  [[nodiscard]] std::uint32_t mostSamples() const;
+  [[nodiscard]] glm::vec3 shown(std::uint64_t pixel, std::uint32_t most) const;
+  [[nodiscard]] double seconds() const;
+
+  const vulkan::Device& device_;
+  Rectangle crop_;                      // of the picture that is asked for
+  RenderSettings settings_;             // their crop is the part of it that is traced
+  std::unique_ptr<Sampling> sampling_;  // these two are empty where nothing is traced
+  std::optional<Tracer> tracer_;
+  std::uint64_t earlierSamples_ = 0;  // of a film
+  Clock::time_point start_;
+  StopReason stopReason_ = StopReason::kFinished;
+  bool isComplete_ = false;  // all is done that was asked for
 };
 
-// Is called between two pieces of work, about ten times a second, and returns whether to go on.
-using Proceed = std::function<bool(const RenderInProgress&)>;
-
-// Renders the scene as the settings say. Throws Error(kDevice) where the device fails or cannot finish a ray.
+// Renders all at once.
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
-                    const RenderSettings& settings, const Proceed& proceed);
+                    const RenderSettings& settings);
 
 }  // namespace lavaray

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "film/film_file.hpp"
 #include "interface.h"
 
 namespace lavaray {
@@ -36,6 +37,18 @@ class Sampling {
   [[nodiscard]] virtual double shareDone() const = 0;
   // Whether all was done that was asked for, once startPass returns false.
   [[nodiscard]] virtual bool reachedGoal() const { return true; }
+
+  // Between two pieces of work: fills in what the header says of samples, writes what comes behind it, and
+  // reads both again, after which everything is as it was.
+  virtual void describe(FilmHeader& header) const = 0;
+  virtual void write(FilmWriter& film) const = 0;
+  virtual void read(FilmReader& film) = 0;
+
+ protected:
+  void goOnAt(std::uint64_t itemsDone, std::uint64_t passItems) {
+    itemsDone_ = itemsDone;
+    passItems_ = passItems;
+  }
 
  private:
   virtual std::uint64_t planPass() = 0;  // returns the number of its items

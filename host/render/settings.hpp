@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/camera.hpp"
+#include "film/film.hpp"
 #include "image/image.hpp"
 #include "render/pixel_filter.hpp"
 #include "render/view.hpp"
@@ -16,22 +17,20 @@ enum class Sampler {
   kRandom,  // independent random numbers; for comparison
 };
 
+inline const char* samplerName(Sampler sampler) {
+  return sampler == Sampler::kSobol ? "sobol" : "random";
+}
+
 // So many that the fixed-point sums (see PixelSum) still hold them.
 inline constexpr std::uint32_t kMostSamples = 1U << 22U;
-
-// Samples first <= i < end of each pixel's sequence.
-struct SampleRange {
-  std::uint32_t first;
-  std::uint32_t end;
-};
 
 struct RenderSettings {
   ImageSize size;  // of the whole image
   Rectangle crop;  // the part of it to render
   std::uint32_t maxDepth = 8;
   std::uint32_t samples = 1;  // a pixel; 1 is its centre
-  // Of these samples only the ones from here on; a multiple of gpu::kMaxSamplesPerItem.
-  std::uint32_t firstSample = 0;
+  // Only these of them; their bounds are multiples of gpu::kMaxSamplesPerItem, or all samples.
+  std::optional<SampleRange> range;
   Sampler sampler = Sampler::kSobol;
   PixelFilter filter = PixelFilter::kBox;
   std::uint32_t seed = 0;

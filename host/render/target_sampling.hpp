@@ -22,6 +22,10 @@ class TargetSampling : public Sampling {
   [[nodiscard]] double shareDone() const override;
   [[nodiscard]] bool reachedGoal() const override { return plan_.reachedTarget(); }
 
+  void describe(FilmHeader& header) const override;
+  void write(FilmWriter& film) const override;
+  void read(FilmReader& film) override;
+
  private:
   std::uint64_t planPass() override;
   void take(std::uint64_t index, const gpu::WorkResult& result) override;

@@ -61,11 +61,13 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
 
 }  // namespace
 
+std::span<const std::uint32_t> shaderOf(const RenderSettings& settings) {
+  return settings.shader.empty() ? std::span<const std::uint32_t>(renderSpirv) : settings.shader;
+}
+
 Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
                const RenderSettings& settings, std::uint64_t items)
-    : device_(device),
-      centerOnly_(takesCenterOnly(settings)),
-      shader_(settings.shader.empty() ? std::span<const std::uint32_t>(renderSpirv) : settings.shader) {
+    : device_(device), centerOnly_(takesCenterOnly(settings)), shader_(shaderOf(settings)) {
   const std::uint64_t reachable =
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
                               std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);

@@ -20,6 +20,9 @@ struct TraceCounts {
   std::uint64_t mirrorRays = 0;
 };
 
+// The SPIR-V that a render with these settings runs.
+std::span<const std::uint32_t> shaderOf(const RenderSettings& settings);
+
 // A scene on a device, with the pipeline for what the scene has: it takes samples of pixels.
 class Tracer {
  public:

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "core/flatten.hpp"
+#include "film/pixel_sum.hpp"
 #include "gpu/render_scene.hpp"
 #include "gpu/sampled_image.hpp"
 #include "gpu/test_device.hpp"
 #include "render/adaptive.hpp"
-#include "render/pixel_sum.hpp"
 #include "render/small_objects.hpp"
 #include "render/tracer.hpp"
 

@@ -15,9 +15,8 @@ RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size, std:
 }
 
 RenderResult renderScene(const Scene& scene, RenderSettings settings) {
-  const auto neverStop = [](const RenderInProgress&) { return true; };
   settings.countRays = true;
-  return render(testDevice(), flatten(scene, 2), scene.camera, settings, neverStop);
+  return render(testDevice(), flatten(scene, 2), scene.camera, settings);
 }
 
 ImageSize reducedSize(const Camera& camera, int longest) {

@@ -39,6 +39,7 @@ class PixelSum {
   static constexpr int kFractionBits = 40;
   std::int64_t sum_[3] = {0, 0, 0};
   std::uint32_t samples_ = 0;
+  std::uint32_t padding_ = 0;  // Films hold these bytes, so none is left to chance.
 };
 
 }  // namespace lavaray

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+
+#include "film/film.hpp"
+#include "render/renderer.hpp"
+
+namespace lavaray {
+
+// Takes up the film in `file`. Throws Error(kInput) naming what is another there: scene, options, crop,
+// samples.
+void resume(const std::filesystem::path& file, const Identity& identity, const RenderSettings& settings,
+            const std::string& device, Render& render);
+
+// Keeps a film of a render from time to time.
+class Checkpoint {
+ public:
+  // No file, no checkpoint. Throws Error(kOutput) where the file cannot be written.
+  Checkpoint(const std::filesystem::path& file, double everySeconds, const Identity& identity);
+
+  void saveIfDue(const Render& render);
+  void save(const Render& render);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const std::filesystem::path& file_;
+  std::chrono::duration<double> every_;
+  const Identity& identity_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace lavaray

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include "app/options.hpp"
+#include "film/film.hpp"
+#include "render/settings.hpp"
+
+namespace lavaray {
+
+// What decides the pixels of this picture: checksums of the scene, its meshes and the shader, and every
+// option that matters. Throws Error(kInput) where a file cannot be read any more.
+Identity describeIdentity(const Options& options, const Scene& scene, const RenderSettings& settings);
+
+}  // namespace lavaray

@@ -1,0 +1,76 @@
+#include "app/inputs.hpp"
+
+#include <algorithm>
+
+#include "core/parallel.hpp"
+#include "core/scene_reader.hpp"
+#include "shaderc/shader_compiler.hpp"
+
+namespace lavaray {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool haveCommon(const Inputs::Files& a, const Inputs::Files& b) {
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+}  // namespace
+
+bool Inputs::readScene(const Files& changed) {
+  if (scene_ && !haveCommon(changed, sceneFiles_)) return false;
+  changed_.insert(changed.begin(), changed.end());
+  sceneFiles_ = {options_.scene};
+  Scene scene = lavaray::readScene(options_.scene, [this](const fs::path& file) { return readMesh(file); });
+  applyDefaults(options_, scene);
+  warnings_.insert(warnings_.end(), scene.warnings.begin(), scene.warnings.end());
+  if (gpuScene_ && !flattened_) flattened_ = std::move(scene_);
+  scene_ = std::move(scene);
+  changed_.clear();
+  return true;
+}
+
+Mesh Inputs::readMesh(const fs::path& file) {
+  sceneFiles_.push_back(file);
+  if (scene_ && !changed_.contains(file)) {
+    const auto known = std::find_if(scene_->meshes.begin(), scene_->meshes.end(),
+                                    [&](const Mesh& mesh) { return mesh.file == file; });
+    if (known != scene_->meshes.end()) return *known;
+  }
+  return readObj(file);
+}
+
+bool Inputs::compileShaders(const Files& changed) {
+  if (options_.shaders.empty() || (!shader_.empty() && !haveCommon(changed, shaderFiles_))) return false;
+  try {
+    CompiledShader compiled = compileRenderShader(options_.shaders);
+    warnings_.insert(warnings_.end(), compiled.warnings.begin(), compiled.warnings.end());
+    shader_ = std::move(compiled.spirv);
+    shaderFiles_ = std::move(compiled.files);
+  } catch (const ShaderError& error) {
+    shaderFiles_ = error.files();
+    throw;
+  }
+  return true;
+}
+
+void Inputs::flatten() {
+  if (!gpuScene_) {
+    gpuScene_ = lavaray::flatten(*scene_, hardwareThreads());
+  } else if (flattened_) {
+    if (sameGeometry(*scene_, *flattened_)) {
+      flattenShading(*scene_, *gpuScene_);
+    } else {
+      gpuScene_ = lavaray::flatten(*scene_, hardwareThreads());
+    }
+  }
+  flattened_.reset();
+}
+
+Inputs::Files Inputs::files() const {
+  Files all = sceneFiles_;
+  all.insert(all.end(), shaderFiles_.begin(), shaderFiles_.end());
+  return all;
+}
+
+}  // namespace lavaray

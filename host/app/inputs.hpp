@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/options.hpp"
+#include "core/flatten.hpp"
+#include "core/scene.hpp"
+
+namespace lavaray {
+
+// What a render is made of, as read from files and kept from one render to the next: only what depends on a
+// file that has changed is made anew.
+class Inputs {
+ public:
+  explicit Inputs(const Options& options) : options_(options) {}
+
+  using Files = std::vector<std::filesystem::path>;
+
+  // Read the scene and its meshes, or compile --shaders, where that was not done yet or one of the changed
+  // files asks for it, and return whether they did. Where they throw, what they made last stays. Throw
+  // Error(kInput) reading `file:line: message`.
+  bool readScene(const Files& changed);
+  bool compileShaders(const Files& changed);
+  // Makes the device's arrays of the scene; the hierarchy only where something in it has changed.
+  void flatten();
+
+  // Whether there is a scene, and the shader that is asked for.
+  [[nodiscard]] bool areComplete() const { return scene_ && (options_.shaders.empty() || !shader_.empty()); }
+  // What was noticed since the last call, each `file:line: message`.
+  std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
+  [[nodiscard]] const Scene& scene() const { return *scene_; }
+  [[nodiscard]] const GpuScene& gpuScene() const { return *gpuScene_; }
+  // SPIR-V; empty where it is what the program was built with.
+  [[nodiscard]] std::span<const std::uint32_t> shader() const { return shader_; }
+  // All files that were read last, or tried to be.
+  [[nodiscard]] Files files() const;
+
+ private:
+  Mesh readMesh(const std::filesystem::path& file);
+
+  const Options& options_;
+  Files sceneFiles_;                         // the scene's and its meshes'
+  std::set<std::filesystem::path> changed_;  // of them, those that were not read with success since
+  std::optional<Scene> scene_;
+  std::optional<Scene>
+      flattened_;  // the scene that gpuScene_ was made from, where there was a newer one since
+  std::optional<GpuScene> gpuScene_;
+  std::vector<std::string> warnings_;
+  Files shaderFiles_;
+  std::vector<std::uint32_t> shader_;
+};
+
+}  // namespace lavaray

@@ -1,0 +1,258 @@
+#include "app/session.hpp"
+
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <type_traits>
+
+#include "app/checkpoint.hpp"
+#include "app/identity.hpp"
+#include "app/interrupt.hpp"
+#include "app/json_report.hpp"
+#include "app/origin.hpp"
+#include "app/picture_output.hpp"
+
+namespace lavaray {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+// A window shows a growing picture that often, at most; drawing it takes time from rendering.
+constexpr auto kShowEvery = 250ms;
+// How long a change or a key may wait to be noticed where nothing is rendered.
+constexpr auto kIdle = 100ms;
+
+// A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
+bool needsWhole(const Options& options) {
+  return options.normalize || isMeasure(options.view);
+}
+
+RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
+  RenderSettings settings;
+  settings.size = size;
+  settings.crop = needsWhole(options) ? Rectangle{0, 0, size.width, size.height} : part;
+  settings.maxDepth = options.maxDepth;
+  settings.samples = options.samples;
+  settings.range = options.sampleRange;
+  settings.sampler = options.sampler;
+  settings.filter = options.filter;
+  settings.seed = options.seed;
+  settings.targetError = options.targetError;
+  settings.maxSamples = options.maxSamples;
+  settings.timeLimitSeconds = options.timeLimitSeconds;
+  settings.view = options.view;
+  settings.countRays = options.stats || !options.json.empty();
+  return settings;
+}
+
+std::string describeSamples(const Render& render) {
+  std::ostringstream text;
+  text << std::setprecision(3) << render.samplesPerPixel() << " spp";
+  if (render.estimatedError() > 0.0) text << ", error " << render.estimatedError();
+  return text.str();
+}
+
+bool keepsFilm(const Options& options) {
+  return writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
+}
+
+}  // namespace
+
+Session::Session(const Options& options)
+    : options_(options), device_(options), inputs_(options), progress_(progressStyle(options.quiet)) {}
+
+bool Session::isEnded() const {
+  return wasInterrupted() || windowClosed_;
+}
+
+ExitCode Session::run() {
+  const ExitCode code = options_.watch ? watch() : renderOnce();
+  return windowFailed_ && code == ExitCode::kSuccess ? ExitCode::kOutput : code;
+}
+
+ExitCode Session::renderOnce() {
+  progress_.begin("reading the scene");
+  inputs_.readScene({});
+  times_.endStep("read scene");
+  progress_.begin("compiling the shaders");
+  if (inputs_.compileShaders({})) times_.endStep("compile shaders");
+  printWarnings();
+  const ExitCode code = renderAndWrite();
+  showUntilClosed();
+  return code;
+}
+
+void Session::printWarnings() {
+  progress_.end();
+  for (const std::string& warning : inputs_.takeWarnings()) std::cerr << "warning: " << warning << '\n';
+}
+
+ExitCode Session::renderAndWrite() {
+  catchInterrupts();  // Now, as there is a file from here on that must not stay behind.
+  const Scene& scene = inputs_.scene();
+  const ImageSize size = outputSize(options_, imageSize(scene.camera).value());
+  const Rectangle part = outputCrop(options_, size);
+  RenderSettings settings = renderSettings(options_, size, part);
+  settings.shader = inputs_.shader();
+  std::optional<PictureOutput> picture;
+  std::optional<OutputFile> film;
+  if (writesFilm(options_)) film.emplace(options_.output);
+  if (!film) picture.emplace(options_.output);
+  std::optional<OutputFile> json;
+  if (!options_.json.empty()) json.emplace(options_.json);
+
+  progress_.begin("building the hierarchy");
+  inputs_.flatten();
+  times_.endStep("build");
+  progress_.begin("opening the device");
+  OpenDevice& open = device_.get();
+  if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
+  times_.endStep("wait for device");
+  progress_.end();
+  if (wasInterrupted()) throw Error(ExitCode::kInterrupted, "interrupted before anything was rendered");
+  if (options_.display) openWindow(size);
+
+  const Identity identity = keepsFilm(options_) ? describeIdentity(options_, scene, settings) : Identity{};
+  Checkpoint checkpoint(options_.checkpoint, options_.checkpointSeconds, identity);
+  Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
+  if (!options_.resume.empty()) {
+    resume(options_.resume, identity, settings, open.device.description().name, render);
+  }
+  progress_.begin("rendering");
+  render.run([&] {
+    checkpoint.saveIfDue(render);
+    return proceed(render);
+  });
+  progress_.end();
+  times_.endStep("render");
+  if (!changed_.empty()) return ExitCode::kSuccess;  // The picture is of the past already.
+
+  checkpoint.save(render);
+  RenderResult result = render.result();
+  if (options_.normalize) normalize(result.image);
+  const std::string& device = open.device.description().name;
+  if (picture) {
+    const TextEntries origin = describeOrigin(options_, settings, result, device, times_.seconds());
+    picture->write(needsWhole(options_) ? crop(result.image, part) : result.image, origin);
+  } else {
+    render.writeFilm(film->stream(), identity);
+    film->commit();
+  }
+  times_.endStep("write image");
+  if (window_) showInWindow(render, true);
+  if (options_.stats) {
+    printStatistics(std::cerr, scene, inputs_.gpuScene(), open.device, result);
+    times_.print(std::cerr);
+  }
+  if (json) {
+    writeJsonStatistics(json->stream(), scene, inputs_.gpuScene(), open.device, result, times_);
+    json->commit();
+  }
+  if (result.stopReason == StopReason::kInterrupted) {
+    const std::string name = options_.output == "-" ? "stdout" : options_.output;
+    const int percent = static_cast<int>(100.0 * render.shareDone());
+    throw Error(ExitCode::kInterrupted, "interrupted at " + std::to_string(percent) + " %; " + name +
+                                            " holds what was rendered, pixels without a sample are black");
+  }
+  if (options_.verbose) std::cerr << "wrote " << options_.output << '\n';
+  return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
+}
+
+bool Session::proceed(const Render& render) {
+  progress_.update(render.shareDone(), describeSamples(render));
+  if (window_) {
+    const bool isDue = Clock::now() - lastShown_ >= kShowEvery && render.samplesPerPixel() > 0.0;
+    if (isDue) showInWindow(render, false);
+    windowClosed_ = !window_->isOpen();
+  }
+  if (options_.watch) changed_ = watcher_.changes(0ms);
+  return !isEnded() && changed_.empty();
+}
+
+// What `work` returns; nothing where its input is wrong, which is printed: someone is about to mend it.
+template <typename Work>
+std::optional<std::invoke_result_t<Work>> Session::attempt(const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    if (error.exitCode() != ExitCode::kInput && error.exitCode() != ExitCode::kUsage) throw;
+    progress_.end();
+    std::cerr << "lavaray: " << error.what() << '\n';
+    return std::nullopt;
+  }
+}
+
+ExitCode Session::watch() {
+  catchInterrupts();
+  ExitCode code = ExitCode::kSuccess;
+  for (Files changed; !isEnded(); changed = changed_.empty() ? waitForChanges() : changed_) {
+    if (!options_.quiet) {
+      for (const auto& file : changed) std::cerr << "changed: " << file.string() << '\n';
+    }
+    times_ = StepTimes();
+    const bool isNew = readChanged(changed);
+    watcher_.watch(inputs_.files());
+    changed_.clear();
+    if (!isNew) continue;
+    const std::optional<ExitCode> result = attempt([&] { return renderAndWrite(); });
+    code = result.value_or(code);
+    if (result && changed_.empty() && !options_.quiet) {
+      std::cerr << "wrote " << options_.output << ": " << times_.inOneLine() << '\n';
+    }
+  }
+  return code;
+}
+
+// Returns whether there is something new to render, and all that it takes.
+bool Session::readChanged(const Files& changed) {
+  const auto timed = [&](const std::string& step, const auto& read) {
+    progress_.begin(step);
+    const bool isNew = attempt(read).value_or(false);
+    if (isNew) times_.endStep(step);
+    return isNew;
+  };
+  const bool isSceneNew = timed("read scene", [&] { return inputs_.readScene(changed); });
+  const bool isShaderNew = timed("compile shaders", [&] { return inputs_.compileShaders(changed); });
+  printWarnings();
+  return (isSceneNew || isShaderNew) && inputs_.areComplete();
+}
+
+Inputs::Files Session::waitForChanges() {
+  Files changed;
+  while (changed.empty() && !isEnded()) {
+    changed = watcher_.changes(kIdle);
+    if (window_) windowClosed_ = !window_->isOpen();
+  }
+  return changed;
+}
+
+void Session::openWindow(const ImageSize& size) {
+  if (window_ || windowFailed_) return;
+  try {
+    window_ = std::make_unique<Window>("lavaray", size);
+  } catch (const Error& error) {
+    windowFailed_ = true;  // The picture is written nonetheless; the exit code tells.
+    std::cerr << "lavaray: " << error.what() << '\n';
+  }
+}
+
+void Session::showInWindow(const Render& render, bool isFinished) {
+  std::ostringstream title;
+  title << options_.scene.filename().string() << ": " << describeSamples(render);
+  if (!isFinished) title << ", " << static_cast<int>(100.0 * render.shareDone()) << " %";
+  Image image = render.image();
+  if (options_.normalize) normalize(image);
+  window_->show(std::move(image), title.str());
+  lastShown_ = Clock::now();
+}
+
+void Session::showUntilClosed() {
+  while (window_ && !isEnded()) {
+    window_->wait(kIdle);
+    windowClosed_ = !window_->isOpen();
+  }
+}
+
+}  // namespace lavaray

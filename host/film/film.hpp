@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "film/pixel_sum.hpp"
+#include "image/image.hpp"
+
+namespace lavaray {
+
+// A film is what a render has gathered so far of a picture or a part of it: enough to go on as if it had
+// never stopped, and to merge parts into the very picture that one render of the whole makes.
+
+// Samples first <= i < end of each pixel's sequence.
+struct SampleRange {
+  std::uint32_t first;
+  std::uint32_t end;
+  bool operator==(const SampleRange&) const = default;
+};
+
+// Names and values of all that decides a picture's pixels, but for which of them a film has: the scene, the
+// meshes, the options, the shader. Films with equal identities are parts of one picture.
+using Identity = std::vector<std::pair<std::string, std::string>>;
+
+// Where two identities differ, for a reader; empty where they are equal.
+std::string describeDifference(const Identity& mine, const Identity& other);
+
+// What a film holds for each pixel, in memory and in its file.
+enum class FilmKind {
+  kCenters,  // glm::vec3: the value of the one sample in the pixel's centre
+  kFixed,    // PixelSum
+  kTarget,   // HalfSums, of a render to a target error
+};
+
+// The sums of a pixel's two independent sequences of samples.
+struct HalfSums {
+  PixelSum halves[2];
+  // Sum over the samples of the mean over the channels of the squared colour, in fixed point as the others.
+  std::int64_t squares = 0;
+};
+
+std::size_t bytesPerPixel(FilmKind kind);
+
+struct FilmHeader {
+  Identity identity;
+  std::string device;  // Another one need not give the same bits.
+  FilmKind kind = FilmKind::kCenters;
+  ImageSize size{};  // of the whole picture
+  Rectangle crop;    // of the picture: what the film is of
+  Rectangle traced;  // of the crop: outside of it all pixels are black; the film has only these pixels
+  // Of each pixel's `samples` in the picture those in the film. A render to a target error counts as one
+  // sample.
+  SampleRange range{0, 1};
+  std::uint32_t samples = 1;
+  bool isComplete = false;  // all that was asked for is in it
+  // The pass that the render is in: its samples (kFixed), how many of its work items are done, and how many
+  // of the others follow the pixels (kTarget).
+  std::uint32_t roundFirst = 0;
+  std::uint32_t roundSize = 0;
+  std::uint64_t itemsDone = 0;
+  std::uint64_t itemsPending = 0;
+};
+
+}  // namespace lavaray

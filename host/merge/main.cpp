@@ -1,0 +1,131 @@
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/program.hpp"
+#include "app/progress.hpp"
+#include "app/version.hpp"
+#include "film/merge.hpp"
+#include "image/output_file.hpp"
+#include "image/row_writer.hpp"
+
+namespace lavaray {
+namespace {
+
+struct MergeOptions {
+  std::vector<std::filesystem::path> parts;
+  std::string output;
+  std::optional<Rectangle> crop;
+  bool normalize = false;
+  bool quiet = false;
+};
+
+std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv) {
+  MergeOptions options;
+  std::vector<int> crop;
+  CLI::App app("Merges the parts of a picture that lavaray rendered with --output PART.film.",
+               "lavaray-merge");
+  app.set_version_flag("--version", std::string("lavaray-merge ") + kVersion);
+  app.footer(
+      "Exit codes: 0 fine, 2 usage, 3 parts that are damaged, foreign or missing, 5 output not written.");
+  app.add_option("PARTS", options.parts, "Films of all of the picture, in any order")->required();
+  app.add_option("-o,--output", options.output,
+                 "Image to write; its ending says the format: .bmp, .png, .ppm, .pfm")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("--crop", crop, "Only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top")
+      ->type_name("X0,Y0,X1,Y1")
+      ->delimiter(',')
+      ->expected(4);
+  app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
+  app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    app.exit(success, std::cout, std::cerr);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray-merge --help lists the options");
+  }
+  if (!imageFormat(options.output)) {
+    throw Error(ExitCode::kUsage, "--output " + options.output +
+                                      ": its ending says no image format; allowed are " + kImageFormatNames);
+  }
+  if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};
+  return options;
+}
+
+// Each part is a file that stays open, and there may be thousands.
+void allowManyFiles() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+Rectangle areaToMerge(const MergeOptions& options, const ImageSize& size) {
+  const Rectangle area = options.crop.value_or(Rectangle{0, 0, size.width, size.height});
+  const bool inside = area.x0 >= 0 && area.x0 < area.x1 && area.x1 <= size.width &&  //
+                      area.y0 >= 0 && area.y0 < area.y1 && area.y1 <= size.height;
+  if (inside) return area;
+  throw Error(ExitCode::kUsage, "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
+                                    " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
+}
+
+float largestValue(Merge& merge, const Rectangle& area, std::vector<float>& row) {
+  float largest = 0.0F;
+  for (int y = area.y0; y < area.y1; ++y) {
+    merge.readRow(y, area.x0, row);
+    largest = std::max(largest, *std::max_element(row.begin(), row.end()));
+  }
+  return largest;
+}
+
+ExitCode mergeParts(const MergeOptions& options) {
+  allowManyFiles();
+  OutputFile output(options.output);
+  Progress progress(progressStyle(options.quiet));
+  progress.begin("verifying the parts");
+  Merge merge(options.parts);
+  const Rectangle area = areaToMerge(options, merge.size());
+  merge.checkCoverage(area);
+  progress.end();
+  for (const std::string& warning : merge.warnings()) std::cerr << "warning: " << warning << '\n';
+
+  const int width = area.x1 - area.x0;
+  const int height = area.y1 - area.y0;
+  std::vector<float> row(std::size_t{3} * width);
+  const float largest = options.normalize ? largestValue(merge, area, row) : 1.0F;
+  const TextEntries texts = {{"Software", std::string("lavaray-merge ") + kVersion},
+                             {"Size", std::to_string(width) + " x " + std::to_string(height)},
+                             {"Parts", std::to_string(options.parts.size())},
+                             {"Device", merge.first().device}};
+  RowWriter writer(imageFormat(options.output).value(), width, height, output.stream(), texts);
+  progress.begin("merging");
+  for (int i = 0; i < height; ++i) {
+    merge.readRow(writer.isBottomUp() ? area.y1 - 1 - i : area.y0 + i, area.x0, row);
+    if (options.normalize && largest > 0.0F) {
+      for (float& value : row) value /= largest;
+    }
+    writer.write(row);
+    progress.update(static_cast<double>(i + 1) / height, "");
+  }
+  writer.finish();
+  output.commit();
+  return ExitCode::kSuccess;
+}
+
+}  // namespace
+}  // namespace lavaray
+
+int main(int argc, char** argv) {
+  return lavaray::runProgram("lavaray-merge", [&] {
+    const auto options = lavaray::parseMergeOptions(argc, argv);
+    return options ? lavaray::mergeParts(*options) : lavaray::ExitCode::kSuccess;
+  });
+}
