@@ -128,8 +128,9 @@ PreprocessedPlace findWord(std::string_view preprocessed, std::string_view word)
     }
     for (std::size_t at = line.find(word); at != std::string_view::npos; at = line.find(word, at + 1)) {
       const std::size_t end = at + word.size();
-      if ((at == 0 || !isWordCharacter(line[at - 1])) && (end == line.size() || !isWordCharacter(line[end])))
-        return place;
+      const bool isBegun = at > 0 && isWordCharacter(line[at - 1]);
+      const bool goesOn = isWordCharacter(word.back()) && end < line.size() && isWordCharacter(line[end]);
+      if (!isBegun && !goesOn) return place;
     }
     ++place.line;
   }

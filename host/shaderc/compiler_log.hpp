@@ -25,7 +25,7 @@ struct PreprocessedPlace {
   std::size_t line = 1;
 };
 
-// Where `word` stands first; an empty source where it does not.
+// Where `word`, or a word with what follows it, stands first; an empty source where it does not.
 PreprocessedPlace findWord(std::string_view preprocessed, std::string_view word);
 
 }  // namespace lavaray

@@ -131,7 +131,7 @@ class Complaints {
   void add(const Misfit& misfit) { add(placed(findDeclaration(misfit.word), misfit.message)); }
   void add(const CompilerMessage& message) {
     PreprocessedPlace place{message.source, message.line};
-    if (place.source.empty()) place = findDeclaration(message.function);
+    if (place.source.empty() && !message.function.empty()) place = findDeclaration(message.function + "(");
     add(placed(place, message.text));
   }
   [[nodiscard]] std::string placed(const PreprocessedPlace& place, const std::string& message) const {

@@ -40,7 +40,8 @@ class Comparison {
     for (const spv::Capability capability : module_.capabilities) {
       if (std::ranges::find(kCapabilities, capability) == kCapabilities.end())
         misfits_.push_back({{},
-                            "the shader needs the SPIR-V capability " + std::to_string(capability) +
+                            "the shader needs the SPIR-V capability " +
+                                std::string(spv::CapabilityString(capability)) +
                                 ", which the program does not enable"});
     }
     return std::move(misfits_);
@@ -68,7 +69,10 @@ class Comparison {
     const std::uint32_t type =
         module_.types.at(variable.operands[0]).operands[1];  // that the pointer points to
     const bool isStruct = module_.types.at(type).code == spv::OpTypeStruct;
-    const std::string name = isStruct ? module_.name(type) : module_.name(id);
+    // A block's name is that of its type, also where there are several.
+    const std::uint32_t element =
+        module_.types.at(type).code == spv::OpTypeArray ? module_.types.at(type).operands[0] : type;
+    const std::string name = module_.name(module_.types.at(element).code == spv::OpTypeStruct ? element : id);
     switch (variable.operands[2]) {
       case spv::StorageClassInput:
       case spv::StorageClassPrivate:
@@ -116,7 +120,7 @@ class Comparison {
       misfits_.push_back({name, subject + ", the program has bindings 0 to " +
                                     std::to_string(gpu::kBindingCount - 1) + " only"});
     } else if (binding < gpu::kTexelBindings ? !isTexels : !isStorage) {
-      misfits_.push_back({name, subject + ", which is a " +
+      misfits_.push_back({name, subject + ", which is one " +
                                     (binding < gpu::kTexelBindings ? "utextureBuffer" : "storage buffer") +
                                     " in the program"});
     }

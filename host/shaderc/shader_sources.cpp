@@ -30,7 +30,8 @@ void ShaderSources::add(const std::string& name) {
   std::string reason;
   const std::size_t source = read(file, reason);
   if (source != kNone) {
-    if (trim(sources_[source].text).empty()) complaints_.push_back(messageAt({file, 1}, "the file is empty"));
+    if (sources_[source].text.find_first_not_of(" \t\r\n") == std::string::npos)
+      complaints_.push_back(messageAt({file, 1}, "the file is empty"));
     return;
   }
   if (reason.empty()) reason = std::make_error_code(std::errc::no_such_file_or_directory).message();

@@ -1,0 +1,146 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "interface.h"
+#include "shader_folder.hpp"
+
+namespace lavaray {
+namespace {
+
+TEST(ShaderInterface, AnEditedInterfaceNeedsABuild) {
+  const std::string message =
+      "differs from the interface that the program was built with: build the program anew to change it";
+  const ShaderFolder folder;
+  const std::string place =
+      folder.replace("interface.h", "const uint kWorkGroupSize = 64u;", "const uint kWorkGroupSize = 32u;");
+  EXPECT_EQ(folder.error(), place + message);
+  // Also where it differs in a comment only, and where the shader has errors that may come from it.
+  const ShaderFolder shorter("shorter");
+  const std::string text = shorter.read("interface.h");
+  shorter.write("interface.h", text.substr(0, text.size() - 1));
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  EXPECT_EQ(shorter.error(),
+            (shorter.path() / "interface.h").string() + ":" + std::to_string(lines) + ": " + message);
+  shorter.write("interface.h", text + "\n");
+  EXPECT_EQ(shorter.error(),
+            (shorter.path() / "interface.h").string() + ":" + std::to_string(lines + 1) + ": " + message);
+  const std::string binding =
+      shorter.replace("interface.h", "const uint kBindingNodes", "const uint kBindingKnots");
+  EXPECT_EQ(shorter.error(), binding + message);
+  std::filesystem::remove(shorter.path() / "interface.h");
+  EXPECT_EQ(shorter.error(),
+            (shorter.path() / "interface.h").string() + ": cannot be read: No such file or directory");
+}
+
+// An edit of one line of the shader, and what is said at that line.
+struct Edit {
+  const char* name;
+  const char* file;
+  const char* from;
+  const char* to;
+  const char* message;
+};
+void PrintTo(const Edit& edit, std::ostream* out) {
+  *out << edit.name;
+}
+
+class MisfitAtLine : public testing::TestWithParam<Edit> {};
+
+TEST_P(MisfitAtLine, IsReported) {
+  const Edit& edit = GetParam();
+  const ShaderFolder folder;
+  const std::string place = folder.replace(edit.file, edit.from, edit.to);
+  EXPECT_EQ(folder.error(), place + edit.message);
+}
+
+static_assert(gpu::kBindingCount == 12 && gpu::kTexelBindings == 4 && gpu::kBindingWork == 8 &&
+              gpu::kBindingStatus == 11);
+static_assert(gpu::kSpecCount == 12 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
+static_assert(sizeof(gpu::DispatchConstants) == 64);
+
+constexpr Edit kEdits[] = {
+    {"BindingPastTheLast", "render.comp", "binding = kBindingWork", "binding = 12",
+     "`Work` is binding 12, the program has bindings 0 to 11 only"},
+    {"StorageBufferWhereTexelsAre", "render.comp", "binding = kBindingWork",
+     "binding = kBindingTrianglePlanes", "`Work` is binding 2, which is one utextureBuffer in the program"},
+    {"TexelsWhereAStorageBufferIs", "scene_data.glsl", "binding = kBindingNodes", "binding = kBindingFilter",
+     "`nodeTexels` is binding 7, which is one storage buffer in the program"},
+    {"UniformBuffer", "scene_data.glsl",
+     "layout(std430, set = 0, binding = kBindingLights) readonly buffer Lights { Light lights[]; }",
+     "layout(set = 0, binding = kBindingLights) uniform Lights { Light lights[4]; }",
+     "`Lights` is binding 5, which is one storage buffer in the program"},
+    {"ArrayOfBuffers", "render.comp", "buffer States { WorkState states[]; };",
+     "buffer States { WorkState states[]; } s[2];\n#define states s[1].states",
+     "`States` is binding 10, which is one storage buffer in the program"},
+    {"OtherSet", "render.comp", "set = 0, binding = kBindingWork", "set = 1, binding = kBindingWork",
+     "`Work` is binding 8 of descriptor set 1, the program has set 0 only"},
+    {"LongerPushConstants", "render.comp", "{ DispatchConstants constants; }",
+     "{ DispatchConstants constants; vec3 more; }",
+     "`PushConstants` has 76 bytes of push constants, the program's have 64"},
+    {"LaterPushConstants", "render.comp", "{ DispatchConstants constants; }",
+     "{ layout(offset = 16) DispatchConstants constants; }",
+     "`PushConstants` has 80 bytes of push constants, the program's have 64"},
+    {"PushConstantMatrix", "render.comp", "{ DispatchConstants constants; }",
+     "{ DispatchConstants constants; mat2x3 m[2]; }",
+     "`PushConstants` has 128 bytes of push constants, the program's have 64"},
+    {"OtherWorkGroup", "render.comp", "local_size_x = kWorkGroupSize", "local_size_x = 32, local_size_y = 2",
+     "a work group is 32 x 2 x 1, the program's is 64 x 1 x 1"},
+    {"SpecializedWorkGroup", "render.comp", "local_size_x = kWorkGroupSize", "local_size_x_id = 3",
+     "the size of a work group must not be a specialization constant"},
+    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 12",
+     "`kCountRays` is specialization constant 12, the program has 0 to 11 only"},
+    {"FloatSpecialization", "scene_data.glsl", "const uint kPlaneCount = 0u;",
+     "const float kPlanes = 0.0; uint kPlaneCount = uint(kPlanes);",
+     "`kPlanes` is specialization constant 3, which is a bool or an integer of 32 bits in the program"},
+};
+INSTANTIATE_TEST_SUITE_P(ShaderInterface, MisfitAtLine, testing::ValuesIn(kEdits),
+                         [](const auto& edit) { return edit.param.name; });
+
+TEST(ShaderInterface, FloatTexelsAreRefused) {
+  const ShaderFolder folder;
+  (void)folder.replace(
+      "scene_data.glsl", "return texelFetch(nodeTexels, int(index * kTexelsPerNode + texel));",
+      "return floatBitsToUint(texelFetch(nodeTexels, int(index * kTexelsPerNode + texel)));");
+  const std::string place = folder.replace("scene_data.glsl", "uniform utextureBuffer nodeTexels",
+                                           "uniform textureBuffer nodeTexels");
+  EXPECT_EQ(folder.error(), place + "`nodeTexels` is binding 0, which is one utextureBuffer in the program");
+}
+
+TEST(ShaderInterface, FeaturesThatAreNotEnabled) {
+  const ShaderFolder folder;
+  (void)folder.replace("render.comp", "void main() {",
+                       "void main() {\n  if (double(constants.seed) * 0.1lf > 1e30lf) return;");
+  EXPECT_EQ(folder.error(),
+            (folder.path() / "render.comp").string() +
+                ":1: the shader needs the SPIR-V capability Float64, which the program does not enable");
+}
+
+TEST(ShaderInterface, EveryMisfitIsReportedOnce) {
+  const ShaderFolder folder;
+  const std::string first = folder.replace("render.comp", "binding = kBindingWork)", "binding = 12)");
+  const std::string second = folder.replace("render.comp", "binding = kBindingResults)", "binding = 13)");
+  const std::string message = folder.error();
+  EXPECT_EQ(message, first + "`Work` is binding 12, the program has bindings 0 to 11 only\n" + second +
+                         "`Results` is binding 13, the program has bindings 0 to 11 only");
+}
+
+TEST(ShaderInterface, WhatIsNotUsedMayDiffer) {
+  const ShaderFolder folder;
+  (void)folder.replace(
+      "render.comp", "layout(local_size_x",
+      "layout(std430, set = 3, binding = 99) buffer Unused { uint unused[]; };\nlayout(local_size_x");
+  EXPECT_EQ(folder.error(), "");
+}
+
+TEST(ShaderInterface, FewerPushConstantsFit) {
+  const ShaderFolder folder;
+  folder.write("render.comp",
+               "#version 460\nlayout(local_size_x = 64) in;\n"
+               "layout(push_constant) uniform P { vec4 a; };\n"
+               "layout(std430, binding = 8) buffer Work { vec4 work[]; };\nvoid main() { work[0] = a; }\n");
+  EXPECT_EQ(folder.error(), "");
+}
+
+}  // namespace
+}  // namespace lavaray
