@@ -11,6 +11,14 @@
 #include "shaderc/shader_interface.hpp"
 #include "shaderc/shader_sources.hpp"
 
+// What the start of the program would have called for glslang's static objects (see CMakeLists.txt). The
+// linker makes these two names of the section's.
+using Initializer = void (*)();
+extern "C" {
+[[gnu::visibility("hidden")]] extern const Initializer __start_lavaray_glslang_start[];
+[[gnu::visibility("hidden")]] extern const Initializer __stop_lavaray_glslang_start[];
+}
+
 namespace lavaray {
 namespace {
 
@@ -31,7 +39,12 @@ class CompilerProcess {
   CompilerProcess& operator=(const CompilerProcess&) = delete;
 
  private:
-  CompilerProcess() { glslang::InitializeProcess(); }
+  CompilerProcess() {
+    for (const Initializer* start = __start_lavaray_glslang_start; start != __stop_lavaray_glslang_start;
+         ++start)
+      (*start)();
+    glslang::InitializeProcess();
+  }
   ~CompilerProcess() { glslang::FinalizeProcess(); }
 };
 
