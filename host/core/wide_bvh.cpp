@@ -1,8 +1,10 @@
 #include "core/wide_bvh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "core/errors.hpp"
@@ -38,7 +40,7 @@ Frame frameFor(float lower, float upper) {
 
 // Children's boxes in the frame of the node's own box, rounded outwards. A child that is not there has its
 // sides the wrong way round, so that no ray hits it.
-void setBoxes(gpu::BvhNode& node, const Box& own, const std::vector<Box>& children) {
+void setBoxes(gpu::BvhNode& node, const Box& own, std::span<const Box> children) {
   node.lower = glm::uvec3(0);
   node.upper = glm::uvec3(0);
   node.exponents = 0;
@@ -60,6 +62,14 @@ void setBoxes(gpu::BvhNode& node, const Box& own, const std::vector<Box>& childr
   }
 }
 
+// Nodes of the binary tree that become the children of one wide node.
+struct Children {
+  std::array<std::uint32_t, gpu::kNodeWidth> nodes;
+  std::size_t count = 0;
+
+  void add(std::uint32_t node) { nodes[count++] = node; }
+};
+
 class Widener {
  public:
   explicit Widener(const Bvh& bvh) : bvh_(bvh) {}
@@ -68,7 +78,7 @@ class Widener {
     result_.order.reserve(bvh_.order.size());
     result_.nodes.reserve(bvh_.order.size() / 2);
     result_.nodes.emplace_back();
-    setBoxes(result_.nodes[0], bvh_.nodes[0].box, {bvh_.nodes[0].box});
+    setBoxes(result_.nodes[0], bvh_.nodes[0].box, {&bvh_.nodes[0].box, 1});
     const gpu::uint root = add(0, 0);
     result_.nodes[0].children = glm::uvec4(root, 0, 0, 0);
     return std::move(result_);
@@ -88,12 +98,12 @@ class Widener {
     }
     result_.nodes.emplace_back();
     gpu::BvhNode wide{};
-    std::vector<Box> boxes;
-    const std::vector<std::uint32_t> children = open(node);
-    for (const std::uint32_t child : children) boxes.push_back(bvh_.nodes[child].box);
-    setBoxes(wide, node.box, boxes);
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      wide.children[static_cast<int>(i)] = add(children[i], depth + 1);
+    const Children children = open(node);
+    std::array<Box, gpu::kNodeWidth> boxes;
+    for (std::size_t i = 0; i < children.count; ++i) boxes[i] = bvh_.nodes[children.nodes[i]].box;
+    setBoxes(wide, node.box, {boxes.data(), children.count});
+    for (std::size_t i = 0; i < children.count; ++i) {
+      wide.children[static_cast<int>(i)] = add(children.nodes[i], depth + 1);
     }
     result_.nodes[reference] = wide;
     return reference;
@@ -109,18 +119,21 @@ class Widener {
 
   // The node's two children, in which an inner one is replaced by its own two while there is room; the one
   // with the largest surface first, as a ray most likely visits it.
-  [[nodiscard]] std::vector<std::uint32_t> open(const BvhNode& node) const {
-    std::vector<std::uint32_t> children{node.left, node.right};
+  [[nodiscard]] Children open(const BvhNode& node) const {
+    Children children;
+    children.add(node.left);
+    children.add(node.right);
     const auto rank = [&](std::uint32_t i) {
       return bvh_.nodes[i].count > 0 ? -1.0F : halfArea(bvh_.nodes[i].box);
     };
-    while (children.size() < gpu::kNodeWidth) {
-      const auto largest = std::max_element(children.begin(), children.end(),
+    while (children.count < gpu::kNodeWidth) {
+      const auto begin = children.nodes.begin();
+      const auto largest = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(children.count),
                                             [&](auto a, auto b) { return rank(a) < rank(b); });
       const BvhNode& opened = bvh_.nodes[*largest];
       if (opened.count > 0) break;
       *largest = opened.left;
-      children.push_back(opened.right);
+      children.add(opened.right);
     }
     return children;
   }
