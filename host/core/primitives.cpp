@@ -16,7 +16,16 @@ namespace {
 
 class Collector {
  public:
-  explicit Collector(const Scene& scene) : scene_(scene) {}
+  Collector(const Scene& scene, std::size_t shapes) : scene_(scene) {
+    std::size_t cornerNormals = 0;
+    for (const MeshObject& mesh : scene.meshObjects) {
+      const Mesh& file = scene.meshes[mesh.mesh];
+      if (!file.normals.empty()) cornerNormals += 3 * file.triangles.size();
+    }
+    result_.shapes.reserve(shapes);
+    if (hasTriangles()) result_.planes.reserve(shapes);
+    result_.cornerNormals.reserve(cornerNormals);
+  }
 
   // Objects in the order of the file: each of the scene's arrays is ordered by object, so they are merged.
   Primitives collect() {
@@ -121,7 +130,7 @@ Primitives collectPrimitives(const Scene& scene) {
                                       " spheres and triangles; at most " +
                                       std::to_string(gpu::kMaxReference) + " are allowed");
   }
-  return Collector(scene).collect();
+  return Collector(scene, count).collect();
 }
 
 Box boundingBox(const gpu::Primitive& shape) {
