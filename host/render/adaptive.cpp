@@ -98,6 +98,7 @@ AdaptiveSampling::AdaptiveSampling(int width, int height, double targetError, st
       height_(height),
       goal_(kGoalFactor * targetError),
       maxSampleStep_(std::min(sampleStepOf(maxSamples), kSampleSteps - 1)),
+      smallObjectHalfSamples_(std::min(smallObjectHalfSamples(targetError), largestHalfCount())),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       smallObjects_(std::move(smallObjects)),
       hardnessSteps_(pixels_.size()) {}
@@ -146,9 +147,7 @@ void AdaptiveSampling::appendSamples(std::vector<gpu::WorkItem>& items, std::siz
 
 void AdaptiveSampling::appendFirstSamples(std::vector<gpu::WorkItem>& items) const {
   std::vector<std::uint32_t> halfCounts(pixels_.size(), kFirstHalfSamples);
-  for (const std::uint64_t pixel : smallObjects_) {
-    halfCounts[pixel] = std::min(smallObjectHalfSamples(goal_ / kGoalFactor), largestHalfCount());
-  }
+  for (const std::uint64_t pixel : smallObjects_) halfCounts[pixel] = smallObjectHalfSamples_;
   items.reserve(2 * pixels_.size());
   for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) appendSamples(items, pixel, halfCounts[pixel]);
 }

@@ -76,6 +76,7 @@ class AdaptiveSampling {
   int height_;
   double goal_;
   int maxSampleStep_;
+  std::uint32_t smallObjectHalfSamples_;
   double estimatedError_ = 1.0;
   double plannedSamples_ = 0.0;
   bool hasStarted_ = false;
