@@ -14,13 +14,6 @@ std::uint32_t addObject(Scene& scene) {
 
 }  // namespace
 
-glm::dvec3 randomPoint(Random& random, double extent) {
-  std::uniform_real_distribution<double> coordinate(-extent, extent);
-  const double x = coordinate(random);
-  const double y = coordinate(random);
-  return {x, y, coordinate(random)};
-}
-
 void addTriangle(Scene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   scene.triangles.push_back({{a, b, c}, addObject(scene)});
 }

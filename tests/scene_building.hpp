@@ -1,19 +1,15 @@
 #pragma once
 
-#include <random>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "core/scene.hpp"
+#include "random_numbers.hpp"
 
 namespace lavaray {
 
 // Scenes made by tests: shapes with an object of their own each, and a ray from place to place.
-
-using Random = std::mt19937;
-
-glm::dvec3 randomPoint(Random& random, double extent);  // each coordinate in +-extent
 
 void addTriangle(Scene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 void addSphere(Scene& scene, const glm::dvec3& center, double radius);

@@ -5,20 +5,19 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include <glm/geometric.hpp>
 
 #include "arithmeticProbeSpirv.spv.h"
 #include "gpu/probe.hpp"
 #include "gpu/test_device.hpp"
+#include "random_numbers.hpp"
 #include "stress/report.hpp"
 #include "stress/shaders/stress_probes.h"
 
 namespace lavaray {
 namespace {
 
-using Random = std::mt19937;
 using Query = gpu::ArithmeticQuery;
 using Answer = gpu::ArithmeticAnswer;
 
@@ -32,10 +31,6 @@ std::vector<Answer> compute(const std::vector<Query>& queries) {
 
 Answer computeOne(float a, float b) {
   return compute({{a, b, 0.0F, 0}})[0];
-}
-
-double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
 }
 
 // Of either sign, its exponent anywhere in +-range.

@@ -8,16 +8,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "scene_building.hpp"
+#include "random_numbers.hpp"
 #include "stress/report.hpp"
 #include "stress/shape_probe.hpp"
 
 namespace lavaray {
 namespace {
-
-float uniform(Random& random, float from, float to) {
-  return std::uniform_real_distribution<float>(from, to)(random);
-}
 
 glm::vec3 randomVector(Random& random, float extent) {
   return glm::vec3(randomPoint(random, extent));

@@ -19,10 +19,6 @@
 namespace lavaray {
 namespace {
 
-double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-
 // Three unit vectors at right angles.
 struct Frame {
   glm::dvec3 x{1, 0, 0};

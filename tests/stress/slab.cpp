@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 #include "core/parallel.hpp"
+#include "random_numbers.hpp"
 #include "stress/quad.hpp"
 #include "stress/report.hpp"
 #include "stress/shape_probe.hpp"
 
 namespace lavaray {
 namespace {
-
-using Random = std::mt19937;
 
 // What a scenario does to a generic box and ray; see makeQuery.
 struct Scenario {
@@ -42,10 +40,6 @@ constexpr std::array kScenarios{
     Scenario{.name = "tiny components", .tinyComponents = true},
     Scenario{.name = "ray ends at the box", .endsAtTheBox = true},
     Scenario{.name = "origin in the box, or box behind", .onSlab = true, .startsInOrBehind = true}};
-
-float uniform(Random& random, float from, float to) {
-  return std::uniform_real_distribution<float>(from, to)(random);
-}
 
 // A third of the extents are 0. The ray is aimed at a corner, an edge, a face or the inside of the box, with
 // a direction of any length.

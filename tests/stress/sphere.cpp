@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include <glm/geometric.hpp>
 
 #include "core/parallel.hpp"
+#include "random_numbers.hpp"
 #include "stress/quad.hpp"
 #include "stress/report.hpp"
 #include "stress/shape_probe.hpp"
@@ -18,7 +18,6 @@
 namespace lavaray {
 namespace {
 
-using Random = std::mt19937;
 using Quad3 = std::array<Quad, 3>;
 
 Quad dot(const Quad3& a, const Quad3& b) {
@@ -55,17 +54,6 @@ Truth exactSphere(const gpu::ShapeQuery& query) {
   const auto t = static_cast<double>(static_cast<long double>(c) / (static_cast<long double>(b) + root));
   const auto halfChord = static_cast<double>(root / std::sqrt(static_cast<long double>(a)));
   return {true, t, passing, kHalfUlp * passing * double{query.b.x} / halfChord};
-}
-
-double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-glm::dvec3 randomDirection(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random);
-  const double y = normal(random);
-  return glm::normalize(glm::dvec3(x, y, normal(random)));
 }
 
 // A sphere of any radius at `distance` radii, seen from the coordinates' origin or from anywhere, and a ray

@@ -16,17 +16,6 @@ constexpr int kSurfaces = 64;
 // Smaller surfaces than this, in relation to their distance, have hardly a point between their edges.
 constexpr double kSmallestSize = 1e-5;
 
-double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-glm::dvec3 randomDirection(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random);
-  const double y = normal(random);
-  return glm::normalize(glm::dvec3(x, y, normal(random)));
-}
-
 glm::dvec3 rounded(const glm::dvec3& v) {
   return glm::dvec3(glm::vec3(v));
 }
