@@ -2,8 +2,7 @@
 #ifndef TRAVERSE_GLSL
 #define TRAVERSE_GLSL
 
-#include "intersect.glsl"
-#include "scene_data.glsl"
+#include "node.glsl"
 
 // A surface is a primitive's index or a plane's with kPlaneBit.
 const uint kPlaneBit = 0x80000000u;
@@ -33,70 +32,6 @@ void hitPrimitive(Ray ray, RayConstants constants, uint index, inout Hit hit) {
   }
   if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && primitive.order < hit.order)) {
     hit = Hit(t, index, primitive.object, primitive.order, weights);
-  }
-}
-
-// Four sides, a byte each, of boxes in a node's frame.
-vec4 decodeSides(uint sides, float origin, float unit) {
-  precise const vec4 decoded = vec4((uvec4(sides) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
-  return decoded;
-}
-
-// Where the ray enters the boxes of the node's children, as intersectBoxes.
-vec4 enterChildren(Ray ray, RayConstants constants, uint index, float tMax) {
-  const BvhNode node = fetchNode(index);
-  const uvec3 nearSides = mix(node.lower, node.upper, constants.negative);
-  const uvec3 farSides = mix(node.upper, node.lower, constants.negative);
-  vec4 near[3];
-  vec4 far[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    const float unit = uintBitsToFloat(((node.exponents >> (8 * axis)) & 255u) << 23);
-    near[axis] = decodeSides(nearSides[axis], node.origin[axis], unit);
-    far[axis] = decodeSides(farSides[axis], node.origin[axis], unit);
-  }
-  return intersectBoxes(ray, constants, near, far, tMax);
-}
-
-// Children of a node that are still to be visited: `count` slots, two bits each, the nearest one lowest.
-struct NodeGroup {
-  uint node;
-  uint slots;
-  uint count;
-};
-
-// The children that are entered at these distances. A distance is at least 0, so its bits compare as it does; its
-// lowest two make room for the slot.
-NodeGroup sortedGroup(uint node, vec4 entry) {
-  const bvec4 hits = lessThan(entry, vec4(kInfinity));
-  uvec4 keys = (floatBitsToUint(entry) & ~3u) | uvec4(0u, 1u, 2u, 3u);
-  keys = uvec4(min(keys.x, keys.y), max(keys.x, keys.y), min(keys.z, keys.w), max(keys.z, keys.w));
-  keys = uvec4(min(keys.x, keys.z), min(keys.y, keys.w), max(keys.x, keys.z), max(keys.y, keys.w));
-  keys = uvec4(keys.x, min(keys.y, keys.z), max(keys.y, keys.z), keys.w) & 3u;
-  const uint slots = keys.x | keys.y << 2u | keys.z << 4u | keys.w << 6u;
-  return NodeGroup(node, slots, uint(hits.x) + uint(hits.y) + uint(hits.z) + uint(hits.w));
-}
-
-// Groups that wait, the last one in entry 0, packed: node << 8 | slots << 2 | count, 0 where there is none.
-// Entries are moved along instead of being counted, since constant indices keep them in registers: on lavapipe a
-// write to a computed index is a branch for each lane, and took two thirds of the time.
-struct GroupStack {
-  uint entries[kStackSize];
-};
-
-uint packGroup(NodeGroup group) { return group.node << 8u | group.slots << 2u | group.count; }
-NodeGroup unpackGroup(uint entry) { return NodeGroup(entry >> 8u, (entry >> 2u) & 63u, entry & 3u); }
-
-// Takes the last group away if `pop`, then adds one if `push`.
-void updateStack(inout GroupStack stack, bool pop, bool push, NodeGroup added) {
-  const bool up = push && !pop;
-  const bool down = pop && !push;
-  uint above = packGroup(added);
-  const uint first = pop && push ? above : stack.entries[0];
-  for (uint i = 0u; i < kStackSize; ++i) {
-    const uint entry = i == 0u ? first : stack.entries[i];
-    const uint below = i + 1u < kStackSize ? stack.entries[i + 1u] : 0u;
-    stack.entries[i] = up ? above : (down ? below : entry);
-    above = entry;
   }
 }
 

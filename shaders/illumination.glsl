@@ -1,0 +1,85 @@
+// What a point of a surface shows by itself: its ambient colour and each light's term, with shadows.
+#ifndef ILLUMINATION_GLSL
+#define ILLUMINATION_GLSL
+
+#include "light.glsl"
+#include "path_state.glsl"
+#include "shade.glsl"
+#include "view.glsl"
+
+// Directions in which to look at spherical lights from a point: one, unless what the path shows may exceed 1 with
+// all lights unblocked. What mirrors may add is guessed: 1 for the next point, 1/2 for the ones before, which must
+// not be taken from the path's state since that is not the same when it is resumed.
+uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 weight, uint bounce) {
+  vec3 color = material.ambient + (kHasMirrors ? material.reflectance : vec3(0.0));
+  for (uint i = 0u; i < kLightCount; ++i) {
+    const Light light = lights[i];
+    color += phong(material, light, point.shadingNormal, unit(light.position - point.position), toViewer);
+  }
+  color = weight * color + (bounce > 0u ? 0.5 : 0.0);
+  return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
+}
+
+// The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns false
+// where the device ended the search for shadows.
+bool lightTerm(Light light, SurfacePoint point, uint surface, Material material, vec3 toViewer,
+               PathSettings settings, uint seed, uint lightDirections, bool showsAny, inout RayCounts counts,
+               out vec3 term) {
+  const uint directions = light.radius > 0.0 ? lightDirections : 1u;
+  term = vec3(0.0);
+  bool finished;
+  uint i = 0u;
+  do {
+    const LightSample s = sampleLight(light, point.position, settings.index * directions + i, seed);
+    vec3 unblocked = vec3(1.0);
+    if (kView != kViewShadow) unblocked = phong(material, light, point.shadingNormal, s.toLight, toViewer);
+    bool blocked = false;
+    finished = true;
+    if (showsAny && maxComponent(unblocked) > 0.0) {
+      finished = findShadow(point, surface, s.target, blocked);
+      ++counts.shadow;
+    } else {
+      ++counts.skippedShadow;
+    }
+    if (!blocked) term += unblocked;
+    ++i;
+  } while (kHasSphericalLights && finished && i < directions);
+  if (kHasSphericalLights) term /= float(directions);
+  return finished && (!kHasSphericalLights || i == directions);
+}
+
+// Adds what the surface shows by itself, times `weight`, from state.step on. Returns false where the device
+// ended the loops or the dispatch has traced its share of shadow rays; state says what is missing.
+bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material material, vec3 weight,
+                     PathSettings settings, inout PathState state, inout RayCounts counts) {
+  if (state.step == 0u) {
+    if (kView != kViewShadow) state.color += weight * material.ambient;
+    if (kView == kViewCost) ++state.rays;
+    state.step = 1u;
+  }
+  const vec3 toViewer = -unit(ray.direction);
+  uint directions = 1u;
+  if (kHasSphericalLights) directions = lightDirections(point, material, toViewer, weight, state.bounce);
+  for (; state.step <= kLightCount; ++state.step) {
+    if (kResumable && counts.shadow >= kMaxShadowRaysPerDispatch) return false;
+    const uint i = state.step - 1u;
+    const Light light = lights[i];
+    const uint use = 1u + state.bounce * kLightCount + i;
+    const uint seed = hashCombine(settings.seed, use);
+    vec3 term;
+    // A sample that is white in all channels stays so: what is added is not negative.
+    const bool showsAny = kView == kViewShadow || minComponent(state.color) < 1.0;
+    const uint shadowRays = counts.shadow;
+    if (!lightTerm(light, point, surface, material, toViewer, settings, seed, directions, showsAny, counts, term)) {
+      return false;
+    }
+    state.color += weight * term;
+    if (kView == kViewCost) state.rays += counts.shadow - shadowRays;
+  }
+  const bool finished = state.step > kLightCount;
+  // The lights that are not blocked have been counted so far.
+  if (kView == kViewShadow && kLightCount > 0u && finished) state.color /= float(kLightCount);
+  return finished;
+}
+
+#endif

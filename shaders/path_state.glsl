@@ -1,0 +1,30 @@
+// How far a path has come, what is counted on the way, and what tells it from others.
+#ifndef PATH_STATE_GLSL
+#define PATH_STATE_GLSL
+
+#include "interface.h"
+
+layout(constant_id = kSpecResumable) const bool kResumable = true;
+
+// How far a path has come. It is the same path again whenever it is traced: so one that could not be finished is
+// traced from the start, and its colour is added to from here on.
+struct PathState {
+  vec3 color;
+  uint bounce;
+  uint step;  // of that bounce: 0 is the ambient colour, i + 1 is light i
+  uint rays;  // so far; counted where the view is of them
+};
+
+struct RayCounts {
+  uint shadow;
+  uint mirror;
+  uint skippedShadow;
+};
+
+struct PathSettings {
+  uint maxDepth;  // mirror bounces
+  uint index;     // of the sample, and
+  uint seed;      // its sequence
+};
+
+#endif
