@@ -9,13 +9,17 @@
 
 // Directions in which to look at spherical lights from a point: one, unless what the path shows may exceed 1 with
 // all lights unblocked. What mirrors may add is guessed: 1 for the next point, 1/2 for the ones before, which must
-// not be taken from the path's state since that is not the same when it is resumed.
+// not be taken from the path's state since that is not the same when it is resumed. Returns 0 where the device ended
+// the loop.
 uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 weight, uint bounce) {
   vec3 color = material.ambient + (kHasMirrors ? material.reflectance : vec3(0.0));
-  for (uint i = 0u; i < kLightCount; ++i) {
+  uint i = 0u;
+  for (; i < kLightCount; ++i) {
     const Light light = lights[i];
     color += phong(material, light, point.shadingNormal, unit(light.position - point.position), toViewer);
   }
+  // Not i < kLightCount: that is the loop's own condition, which compilers take to be false after it.
+  if (i != kLightCount) return 0u;
   color = weight * color + (bounce > 0u ? 0.5 : 0.0);
   return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
 }
@@ -60,6 +64,7 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
   const vec3 toViewer = -unit(ray.direction);
   uint directions = 1u;
   if (kHasSphericalLights) directions = lightDirections(point, material, toViewer, weight, state.bounce);
+  if (directions == 0u) return false;
   for (; state.step <= kLightCount; ++state.step) {
     if (kResumable && counts.shadow >= kMaxShadowRaysPerDispatch) return false;
     const uint i = state.step - 1u;
