@@ -17,10 +17,22 @@ constexpr double kLargestSide = 255.0;
 constexpr int kExponentBias = 127;
 constexpr int kLowestExponent = -126;
 
-// Coordinates on one axis in which side s lies at origin + s 2^exponent.
+// Coordinates on one axis in which side s lies at origin + s unit.
 struct Frame {
   double origin;
+  double unit;  // 2^exponent
   int exponent;
+
+  // The last side that is not above x, and the first one that is not below. Sides are exact, but their number
+  // is found with a difference that is rounded where x is tiny beside the origin.
+  [[nodiscard]] double sideBelow(double x) const {
+    const double side = std::floor((x - origin) / unit);
+    return origin + side * unit > x ? side - 1.0 : side;
+  }
+  [[nodiscard]] double sideAbove(double x) const {
+    const double side = std::ceil((x - origin) / unit);
+    return origin + side * unit < x ? side + 1.0 : side;
+  }
 };
 
 // The finest frame with lower and upper between sides 0 and 255 in which float32 holds every side exactly:
@@ -33,8 +45,8 @@ Frame frameFor(float lower, float upper) {
   if (magnitude > 0.0F) exponent = std::max(exponent, std::ilogb(magnitude) - 22);
   for (;; ++exponent) {
     const double unit = std::ldexp(1.0, exponent);
-    const double origin = std::floor(double{lower} / unit) * unit;
-    if (std::ceil((double{upper} - origin) / unit) <= kLargestSide) return {origin, exponent};
+    const Frame frame{std::floor(double{lower} / unit) * unit, unit, exponent};
+    if (frame.sideAbove(double{upper}) <= kLargestSide) return frame;
   }
 }
 
@@ -46,15 +58,14 @@ void setBoxes(gpu::BvhNode& node, const Box& own, std::span<const Box> children)
   node.exponents = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const Frame frame = frameFor(own.lower[axis], own.upper[axis]);
-    const double unit = std::ldexp(1.0, frame.exponent);
     node.origin[axis] = static_cast<float>(frame.origin);
     node.exponents |= static_cast<gpu::uint>(frame.exponent + kExponentBias) << (8 * axis);
     for (int i = 0; i < kWidth; ++i) {
       double lower = kLargestSide;
       double upper = 0.0;
       if (static_cast<std::size_t>(i) < children.size()) {
-        lower = std::floor((double{children[i].lower[axis]} - frame.origin) / unit);
-        upper = std::ceil((double{children[i].upper[axis]} - frame.origin) / unit);
+        lower = frame.sideBelow(double{children[i].lower[axis]});
+        upper = frame.sideAbove(double{children[i].upper[axis]});
       }
       node.lower[axis] |= static_cast<gpu::uint>(lower) << (8 * i);
       node.upper[axis] |= static_cast<gpu::uint>(upper) << (8 * i);
