@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
 // A folder of its own for each test, empty.
 class FilmTest : public testing::Test {
  protected:
-  FilmTest() : folder_(fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name()) {
+  FilmTest()
+      : folder_(fs::path(testing::TempDir()) /
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -133,8 +135,8 @@ TEST_F(FilmTest, NoticesEachByteThatIsAnotherAndEachThatIsMissing) {
 
 TEST_F(FilmTest, MergesPartsOfAnyShapeToTheBitsOfTheWhole) {
   const std::vector<std::pair<Rectangle, SampleRange>> parts = {
-      {{0, 0, 7, 2}, {0, 4}},   {{0, 0, 4, 2}, {4, 12}}, {{4, 0, 7, 2}, {4, 8}},
-      {{4, 0, 7, 2}, {8, 12}},  {{0, 2, 3, 5}, {0, 12}}, {{3, 2, 7, 5}, {0, 12}},
+      {{0, 0, 7, 2}, {0, 4}},  {{0, 0, 4, 2}, {4, 12}}, {{4, 0, 7, 2}, {4, 8}},
+      {{4, 0, 7, 2}, {8, 12}}, {{0, 2, 3, 5}, {0, 12}}, {{3, 2, 7, 5}, {0, 12}},
   };
   std::vector<fs::path> files;
   for (const auto& [crop, range] : parts) {
@@ -161,15 +163,21 @@ TEST_F(FilmTest, NamesWhatIsMissingOrThereTwice) {
   writeFilm(folder_ / "a.film", headerOf({0, 0, 7, 5}, {0, 4}));
   writeFilm(folder_ / "b.film", headerOf({0, 0, 7, 3}, {4, 12}));
   const Rectangle whole{0, 0, kSize.width, kSize.height};
-  EXPECT_EQ(messageOf([&] { Merge({folder_ / "a.film", folder_ / "b.film"}).checkCoverage(whole); }),
+  EXPECT_EQ(messageOf([&] {
+              Merge({folder_ / "a.film", folder_ / "b.film"}).checkCoverage(whole);
+            }),
             "pixels 0,3 to 7,5, samples 4:12 are in no part");
-  EXPECT_EQ(messageOf([&] { Merge({folder_ / "a.film", folder_ / "b.film"}).checkCoverage({0, 0, 7, 3}); }), "");
+  EXPECT_EQ(messageOf([&] {
+              Merge({folder_ / "a.film", folder_ / "b.film"}).checkCoverage({0, 0, 7, 3});
+            }),
+            "");
   writeFilm(folder_ / "c.film", headerOf({2, 3, 7, 5}, {0, 12}));
-  const std::string message = messageOf(
-      [&] { Merge({folder_ / "a.film", folder_ / "b.film", folder_ / "c.film"}).checkCoverage(whole); });
+  const std::string message = messageOf([&] {
+    Merge({folder_ / "a.film", folder_ / "b.film", folder_ / "c.film"}).checkCoverage(whole);
+  });
   EXPECT_NE(message.find("pixels 0,3 to 2,5, samples 4:12 are in no part"), std::string::npos) << message;
-  EXPECT_NE(message.find("pixels 2,3 to 7,5, samples 0:4 are in both " + (folder_ / "a.film").string() + " and " +
-                         (folder_ / "c.film").string()),
+  EXPECT_NE(message.find("pixels 2,3 to 7,5, samples 0:4 are in both " + (folder_ / "a.film").string() +
+                         " and " + (folder_ / "c.film").string()),
             std::string::npos)
       << message;
 }
@@ -185,7 +193,9 @@ TEST_F(FilmTest, RefusesPartsOfAnotherPictureAndUnfinishedOnes) {
   FilmHeader unfinished = headerOf({0, 0, 7, 5}, {4, 12});
   unfinished.isComplete = false;
   writeFilm(folder_ / "c.film", unfinished);
-  EXPECT_NE(messageOf([&] { Merge({folder_ / "a.film", folder_ / "c.film"}); }).find("c.film: is not complete"),
+  EXPECT_NE(messageOf([&] {
+              Merge({folder_ / "a.film", folder_ / "c.film"});
+            }).find("c.film: is not complete"),
             std::string::npos);
 }
 
@@ -211,7 +221,8 @@ TEST_F(FilmTest, RowsMakeTheSameFileAsTheWholeImage) {
     std::uniform_real_distribution<float> value(0.0F, 1.0F);
     for (int i = 0; i < 3 * width * 4; ++i) image.rgb.push_back(value(random));
     const TextEntries texts = {{"Scene", "a"}};
-    for (const ImageFormat format : {ImageFormat::kBmp, ImageFormat::kPng, ImageFormat::kPpm, ImageFormat::kPfm}) {
+    for (const ImageFormat format :
+         {ImageFormat::kBmp, ImageFormat::kPng, ImageFormat::kPpm, ImageFormat::kPfm}) {
       std::FILE* whole = std::fopen((folder_ / "whole").c_str(), "wb");
       writeImage(image, format, whole, texts);
       std::fclose(whole);

@@ -112,8 +112,8 @@ TEST(WideBvh, ContainsDegenerateBoxes) {
   Walker(widen(buildBvh(boxes, 1)), boxes).run();
 }
 
-// A sphere that touches a coordinate plane reaches a denormal number past it, which is lost in a difference to the
-// far side of its box. Found by the fuzzer.
+// A sphere that touches a coordinate plane reaches a denormal number past it, which is lost in a difference
+// to the far side of its box. Found by the fuzzer.
 TEST(WideBvh, ContainsBoxesThatEndJustPastZero) {
   for (const float far : {10.0F, 3.0F * 0x1p-20F, 1e15F, 255.0F}) {
     for (const float near : {0x1p-149F, 1e-30F, 1e-12F}) {

@@ -46,7 +46,7 @@ Json bvhJson(const GpuScene& scene) {
           {"traversedDepth", scene.bvhDepth},      {"sahCost", bvh.sahCost}};
 }
 
-Json samplingJson(const RenderResult& result) {
+Json samplingJson(const RenderStatistics& result) {
   return {{"stopped", stopReasonName(result.stopReason)},
           {"samplesPerPixel", result.samplesPerPixel},
           {"mostSamplesPerPixel", result.mostSamples},
@@ -54,7 +54,7 @@ Json samplingJson(const RenderResult& result) {
           {"estimatedRmse", result.estimatedError > 0.0 ? Json(result.estimatedError) : Json()}};
 }
 
-Json deviceJson(const vulkan::Device& device, const RenderResult& result) {
+Json deviceJson(const vulkan::Device& device, const RenderStatistics& result) {
   const vulkan::DeviceDescription& description = device.description();
   return {{"name", description.name},
           {"kind", description.kind},
@@ -74,7 +74,8 @@ Json timesJson(const StepTimes& times) {
 }  // namespace
 
 void writeJsonStatistics(std::FILE* stream, const Scene& scene, const GpuScene& gpuScene,
-                         const vulkan::Device& device, const RenderResult& result, const StepTimes& times) {
+                         const vulkan::Device& device, const RenderStatistics& result,
+                         const StepTimes& times) {
   const Json report = {{"schema", kSchema},
                        {"lavaray", kVersion},
                        {"scene", sceneJson(scene)},

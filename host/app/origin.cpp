@@ -22,8 +22,8 @@ std::string describe(double number) {
 
 }  // namespace
 
-TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const RenderResult& result,
-                           const std::string& device, double seconds) {
+TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
+                           const RenderStatistics& result, const std::string& device, double seconds) {
   TextEntries entries = {
       {"Software", std::string("lavaray ") + kVersion},
       {"Scene", options.scene.filename().string()},  // without the folders of who made it

@@ -9,7 +9,7 @@
 namespace lavaray {
 
 // What a picture file says of how it came to be.
-TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const RenderResult& result,
-                           const std::string& device, double seconds);
+TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
+                           const RenderStatistics& result, const std::string& device, double seconds);
 
 }  // namespace lavaray

@@ -83,7 +83,7 @@ void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription
 }
 
 void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuScene,
-                     const vulkan::Device& device, const RenderResult& result) {
+                     const vulkan::Device& device, const RenderStatistics& result) {
   printScene(out, scene);
   const BvhQuality& bvh = gpuScene.bvhQuality;
   out << std::fixed << std::setprecision(2) << "bvh\n  primitives      " << gpuScene.primitives.size() << " ("

@@ -44,6 +44,6 @@ std::size_t peakMemoryBytes();
 
 // Everything of --stats but the times.
 void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuScene,
-                     const vulkan::Device& device, const RenderResult& result);
+                     const vulkan::Device& device, const RenderStatistics& result);
 
 }  // namespace lavaray

@@ -11,7 +11,6 @@
 #include "app/interrupt.hpp"
 #include "app/json_report.hpp"
 #include "app/origin.hpp"
-#include "app/picture_output.hpp"
 
 namespace lavaray {
 namespace {
@@ -96,12 +95,7 @@ ExitCode Session::renderAndWrite() {
   const Rectangle part = outputCrop(options_, size);
   RenderSettings settings = renderSettings(options_, size, part);
   settings.shader = inputs_.shader();
-  std::optional<PictureOutput> picture;
-  std::optional<OutputFile> film;
-  if (writesFilm(options_)) film.emplace(options_.output);
-  if (!film) picture.emplace(options_.output);
-  std::optional<OutputFile> json;
-  if (!options_.json.empty()) json.emplace(options_.json);
+  Outputs outputs(options_);
 
   progress_.begin("building the hierarchy");
   inputs_.flatten();
@@ -130,27 +124,9 @@ ExitCode Session::renderAndWrite() {
   if (!changed_.empty()) return ExitCode::kSuccess;  // The picture is of the past already.
 
   checkpoint.save(render);
-  RenderResult result = render.result();
-  if (options_.normalize) normalize(result.image);
-  const std::string& device = open.device.description().name;
-  if (picture) {
-    const TextEntries origin = describeOrigin(options_, settings, result, device, times_.seconds());
-    picture->write(needsWhole(options_) ? crop(result.image, part) : result.image, origin);
-  } else {
-    render.writeFilm(film->stream(), identity);
-    film->commit();
-  }
-  times_.endStep("write image");
+  writeOutputs(render, settings, part, identity, outputs);
   if (window_) showInWindow(render, true);
-  if (options_.stats) {
-    printStatistics(std::cerr, scene, inputs_.gpuScene(), open.device, result);
-    times_.print(std::cerr);
-  }
-  if (json) {
-    writeJsonStatistics(json->stream(), scene, inputs_.gpuScene(), open.device, result, times_);
-    json->commit();
-  }
-  if (result.stopReason == StopReason::kInterrupted) {
+  if (render.statistics().stopReason == StopReason::kInterrupted) {
     const std::string name = options_.output == "-" ? "stdout" : options_.output;
     const int percent = static_cast<int>(100.0 * render.shareDone());
     throw Error(ExitCode::kInterrupted, "interrupted at " + std::to_string(percent) + " %; " + name +
@@ -160,6 +136,30 @@ ExitCode Session::renderAndWrite() {
   return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
 }
 
+void Session::writeOutputs(const Render& render, const RenderSettings& settings, const Rectangle& part,
+                           const Identity& identity, Outputs& outputs) {
+  const vulkan::Device& device = device_.get().device;
+  const RenderStatistics statistics = render.statistics();
+  if (outputs.hasFilm()) {
+    outputs.writeFilm(render, identity);
+  } else {
+    Image image = render.image();
+    if (options_.normalize) normalize(image);
+    outputs.writePicture(
+        needsWhole(options_) ? crop(image, part) : image,
+        describeOrigin(options_, settings, statistics, device.description().name, times_.seconds()));
+  }
+  times_.endStep("write image");
+  if (options_.stats) {
+    printStatistics(std::cerr, inputs_.scene(), inputs_.gpuScene(), device, statistics);
+    times_.print(std::cerr);
+  }
+  if (outputs.json() != nullptr) {
+    writeJsonStatistics(outputs.json(), inputs_.scene(), inputs_.gpuScene(), device, statistics, times_);
+    outputs.commitJson();
+  }
+}
+
 bool Session::proceed(const Render& render) {
   progress_.update(render.shareDone(), describeSamples(render));
   if (window_) {
@@ -167,7 +167,7 @@ bool Session::proceed(const Render& render) {
     if (isDue) showInWindow(render, false);
     windowClosed_ = !window_->isOpen();
   }
-  if (options_.watch) changed_ = watcher_.changes(0ms);
+  if (watcher_) changed_ = watcher_->changes(0ms);
   return !isEnded() && changed_.empty();
 }
 
@@ -186,6 +186,7 @@ std::optional<std::invoke_result_t<Work>> Session::attempt(const Work& work) {
 
 ExitCode Session::watch() {
   catchInterrupts();
+  watcher_.emplace();  // before anything is read, so that no change is lost
   ExitCode code = ExitCode::kSuccess;
   for (Files changed; !isEnded(); changed = changed_.empty() ? waitForChanges() : changed_) {
     if (!options_.quiet) {
@@ -193,7 +194,7 @@ ExitCode Session::watch() {
     }
     times_ = StepTimes();
     const bool isNew = readChanged(changed);
-    watcher_.watch(inputs_.files());
+    watcher_->watch(inputs_.files());
     changed_.clear();
     if (!isNew) continue;
     const std::optional<ExitCode> result = attempt([&] { return renderAndWrite(); });
@@ -222,7 +223,7 @@ bool Session::readChanged(const Files& changed) {
 Inputs::Files Session::waitForChanges() {
   Files changed;
   while (changed.empty() && !isEnded()) {
-    changed = watcher_.changes(kIdle);
+    changed = watcher_->changes(kIdle);
     if (window_) windowClosed_ = !window_->isOpen();
   }
   return changed;

@@ -7,6 +7,7 @@
 #include "app/inputs.hpp"
 #include "app/open_device.hpp"
 #include "app/options.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/report.hpp"
 #include "app/window.hpp"
@@ -39,6 +40,8 @@ class Session {
   void showUntilClosed();
 
   ExitCode renderAndWrite();
+  void writeOutputs(const Render& render, const RenderSettings& settings, const Rectangle& part,
+                    const Identity& identity, Outputs& outputs);
   void openWindow(const ImageSize& size);
   bool proceed(const Render& render);
   void showInWindow(const Render& render, bool isFinished);
@@ -49,8 +52,8 @@ class Session {
   Inputs inputs_;
   Progress progress_;
   StepTimes times_;
-  FolderWatcher watcher_;
-  Files changed_;  // while a render was under way, which they end
+  std::optional<FolderWatcher> watcher_;  // with --watch
+  Files changed_;                         // while a render was under way, which they end
   std::unique_ptr<Window> window_;
   bool windowClosed_ = false;
   bool windowFailed_ = false;

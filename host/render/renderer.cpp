@@ -15,10 +15,11 @@ std::uint64_t pixelsOf(const Rectangle& part) {
   return static_cast<std::uint64_t>(part.x1 - part.x0) * static_cast<std::uint64_t>(part.y1 - part.y0);
 }
 
-// The part of the crop to trace; all else is black. The plan for a target error and the other views are about
-// all pixels.
+// The part of the crop to trace; all else is black, unless a shader of the user's knows better. The plan for
+// a target error and the other views are about all pixels.
 Rectangle tracedPart(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
-  if (settings.targetError || settings.view != View::kColor || !settings.specialized) return settings.crop;
+  const bool isAboutAll = settings.targetError || settings.view != View::kColor || !settings.shader.empty();
+  if (isAboutAll || !settings.specialized) return settings.crop;
   return coveredPart(scene, camera, settings);
 }
 
@@ -142,9 +143,8 @@ Image Render::image() const {
   return whole;
 }
 
-RenderResult Render::result() const {
-  RenderResult result;
-  result.image = image();
+RenderStatistics Render::statistics() const {
+  RenderStatistics result;
   result.stopReason = stopReason_;
   result.skippedPixels = pixelsOf(crop_) - pixelsOf(settings_.crop);
   result.mostSamples = mostSamples();
@@ -199,7 +199,7 @@ RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera&
                     const RenderSettings& settings) {
   Render render(device, scene, camera, settings);
   render.run([] { return true; });
-  return render.result();
+  return {render.statistics(), render.image()};
 }
 
 }  // namespace lavaray

@@ -24,15 +24,19 @@ enum class StopReason {
 
 const char* stopReasonName(StopReason reason);
 
-struct RenderResult {
-  Image image;  // of the crop's size; black where no sample was taken
+// What a render did, and why it stopped.
+struct RenderStatistics {
   StopReason stopReason = StopReason::kFinished;
+  double samplesPerPixel = 0.0;     // in the mean, those of a film included
   double estimatedError = 0.0;      // RMSE, where there was a target
   std::uint32_t mostSamples = 1;    // of a pixel
   std::uint64_t skippedPixels = 0;  // known to be black without a sample
   TraceCounts counts;               // of this process
-  double samplesPerPixel = 0.0;
   std::size_t deviceBytes = 0;
+};
+
+struct RenderResult : RenderStatistics {
+  Image image;  // of the crop's size; black where no sample was taken
 };
 
 class Sampling;
@@ -57,7 +61,7 @@ class Render {
   [[nodiscard]] double samplesPerPixel() const;  // in the mean, those of a film included
   [[nodiscard]] double estimatedError() const;   // RMSE, where there is a target, else 0
   [[nodiscard]] Image image() const;             // as far as it is known; black where no sample was taken
-  [[nodiscard]] RenderResult result() const;     // of run()
+  [[nodiscard]] RenderStatistics statistics() const;
 
   // Writes all there is, to go on from; the view is the colour.
   void writeFilm(std::FILE* stream, const Identity& identity) const;

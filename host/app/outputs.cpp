@@ -1,0 +1,26 @@
+#include "app/outputs.hpp"
+
+#include "core/errors.hpp"
+
+namespace lavaray {
+
+Outputs::Outputs(const Options& options) : hasFilm_(writesFilm(options)) {
+  if (options.output != "-") output_.emplace(options.output);
+  if (output_ && !hasFilm_) format_ = imageFormat(options.output).value();
+  if (!options.json.empty()) json_.emplace(options.json);
+}
+
+void Outputs::writePicture(const Image& image, const TextEntries& origin) {
+  writeImage(image, format_, output_ ? output_->stream() : stdout, origin);
+  if (output_) output_->commit();
+  if (!output_ && std::fflush(stdout) != 0) {
+    throw Error(ExitCode::kOutput, "the image cannot be written to stdout");
+  }
+}
+
+void Outputs::writeFilm(const Render& render, const Identity& identity) {
+  render.writeFilm(output_->stream(), identity);
+  output_->commit();
+}
+
+}  // namespace lavaray

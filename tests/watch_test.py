@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""watch_test.py PROGRAMS SCENES SHADERS WORK: `lavaray --watch` with real edits of the scene, its mesh and the shaders.
+
+Edits are made in place and by rename, good ones and broken ones. The process must stay alive, keep the last good
+picture where an edit is broken, tell of that once as `file:line: message`, make nothing anew that did not change,
+and not grow. LAVARAY_STRESS=full makes 100 random edits in place of 20.
+"""
+
+import os
+import pathlib
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+SECONDS = 60  # that anything may take on a busy machine
+
+
+class Watched:
+    """A lavaray under --watch, and what it has said."""
+
+    def __init__(self, program, arguments, folder):
+        self.log = folder / 'log'
+        self.stream = open(self.log, 'w')
+        self.process = subprocess.Popen([program, *arguments, '--watch'], cwd=folder, stderr=self.stream)
+        self.position = 0
+
+    def said(self):
+        text = self.log.read_text()[self.position:]
+        return text[:text.rfind('\n') + 1]
+
+    def wait_for(self, pattern):
+        """Waits for a line that matches, and returns all that was said up to it since the last wait."""
+        end = time.monotonic() + SECONDS
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                sys.exit(f'FAILED: it ended with {self.process.returncode} after\n{self.log.read_text()}')
+            text = self.said()
+            found = re.search(pattern + r'.*\n', text)
+            if found:
+                self.position += found.end()
+                return text[:found.end()]
+            time.sleep(0.01)
+        sys.exit(f'FAILED: nothing like {pattern!r} in\n{self.said()}')
+
+    def memory(self):
+        status = pathlib.Path(f'/proc/{self.process.pid}/status').read_text()
+        return int(re.search(r'VmRSS:\s+(\d+)', status).group(1)) / 1024
+
+    def stop(self):
+        self.process.send_signal(signal.SIGINT)
+        return self.process.wait(SECONDS)
+
+
+checks = 0
+
+
+def check(condition, what):
+    global checks
+    checks += 1
+    if not condition:
+        sys.exit(f'FAILED: {what}')
+
+
+def edit_in_place(file, text):
+    file.write_text(text)
+
+
+def edit_by_rename(file, text):
+    temporary = file.with_name('.' + file.name + '.swp')
+    temporary.write_text(text)
+    temporary.rename(file)
+
+
+EDITS = [edit_in_place, edit_by_rename]
+
+
+def main():
+    programs, scenes, shaders, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    for name in ('torus.txt', 'torus.obj'):
+        shutil.copy(scenes / name, work)
+    shutil.copytree(shaders, work / 'shaders')
+    scene, mesh, shader = work / 'torus.txt', work / 'torus.obj', work / 'shaders' / 'render.comp'
+    picture = work / 'torus.ppm'
+    lavaray = Watched(programs / 'lavaray', ['torus.txt', '-o', 'torus.ppm', '--width', '120', '--shaders', 'shaders'],
+                      work)
+    lavaray.wait_for('wrote torus.ppm: read scene .*, compile shaders .*, render')
+    original = picture.read_bytes()
+    scene_text, mesh_text, shader_text = scene.read_text(), mesh.read_text(), shader.read_text()
+
+    # The worked example of the README: another background.
+    blue = shader_text.replace('vec3 color = path.color;', 'vec3 color = path.color + vec3(0.0, 0.0, 0.25);')
+    check(blue != shader_text, 'render.comp has the line that the README edits')
+    for edit in EDITS:
+        edit(shader, blue)
+        said = lavaray.wait_for('wrote torus.ppm')
+        check('changed: shaders/render.comp' in said, f'the changed file is named: {said}')
+        check('read scene' not in said, f'a shader edit reads no scene: {said}')
+        check(picture.read_bytes().split(b'\n', 3)[3][:3] == bytes([0, 0, 63]), 'the sky is blue')
+        edit(shader, shader_text)
+        lavaray.wait_for('wrote torus.ppm')
+        check(picture.read_bytes() == original, 'the shader is as before, and so is the picture')
+
+        # An include that does not compile: the picture stays, and the include is named, once.
+        include = work / 'shaders' / 'shade.glsl'
+        include_text = include.read_text()
+        edit(include, include_text + '\nfloat broken( { return 1.0; }\n')
+        line = include_text.count('\n') + 2
+        said = lavaray.wait_for(rf'shaders/shade.glsl:{line}: ')
+        time.sleep(0.3)
+        said += lavaray.said()
+        check(said.count('shade.glsl:') == 1, f'it is said once: {said}')
+        check(picture.read_bytes() == original, 'a broken shader leaves the picture alone')
+        edit(include, include_text)
+        lavaray.wait_for('wrote torus.ppm')
+
+        # A scene that is wrong, then one with another light: nothing but that is made anew.
+        edit(scene, scene_text.replace('fov:', 'fow:'))
+        lavaray.wait_for(r'torus.txt:\d+: ')
+        check(picture.read_bytes() == original, 'a broken scene leaves the picture alone')
+        edit(scene, re.sub(r'dif:.*', 'dif: 0.1 0.9 0.1', scene_text))
+        said = lavaray.wait_for('wrote torus.ppm')
+        check('compile shaders' not in said, f'a scene edit compiles no shader: {said}')
+        check(picture.read_bytes() != original, 'another light, another picture')
+        edit(scene, scene_text)
+        lavaray.wait_for('wrote torus.ppm')
+        check(picture.read_bytes() == original, 'the scene is as before, and so is the picture')
+
+        edit(mesh, mesh_text.replace('f ', 'f 0/', 1))
+        lavaray.wait_for(r'torus.obj:\d+: ')
+        edit(mesh, re.sub(r'^v (\S+)', lambda found: f'v {float(found.group(1)) / 2}', mesh_text, flags=re.M))
+        said = lavaray.wait_for('wrote torus.ppm')
+        check('changed: torus.obj' in said, f'the changed mesh is named: {said}')
+        check(picture.read_bytes() != original, 'another mesh, another picture')
+        edit(mesh, mesh_text)
+        lavaray.wait_for('wrote torus.ppm')
+        check(picture.read_bytes() == original, 'the mesh is as before, and so is the picture')
+
+    # An interface that is not the program's is refused.
+    interface = work / 'shaders' / 'interface.h'
+    interface_text = interface.read_text()
+    edit_in_place(interface, interface_text.replace('kBindingLights = 5u', 'kBindingLights = 6u'))
+    lavaray.wait_for(r'interface.h:\d+: ')
+    edit_in_place(interface, interface_text)
+    lavaray.wait_for('wrote torus.ppm')
+
+    # Edits at random, each followed by a good one.
+    count = 100 if os.environ.get('LAVARAY_STRESS') == 'full' else 20
+    chance = random.Random(1)
+    files = sorted((work / 'shaders').glob('*.glsl')) + [shader, scene, mesh]
+    begin = lavaray.memory()
+    for i in range(count):
+        file = chance.choice(files)
+        text = file.read_text()
+        place = chance.randrange(len(text))
+        length = chance.randrange(1, 20)
+        junk = ''.join(chance.choice('{}();x0.,\n#/*') for _ in range(chance.randrange(0, 8)))
+        chance.choice(EDITS)(file, text[:place] + junk + text[place + length:])
+        time.sleep(chance.uniform(0.0, 0.4))
+        chance.choice(EDITS)(file, text)
+        # The last thing that it says is that the good state is drawn, even if the broken one was never noticed.
+        lavaray.wait_for('wrote torus.ppm')
+        end = time.monotonic() + SECONDS
+        while picture.read_bytes() != original and time.monotonic() < end:
+            time.sleep(0.05)
+        check(picture.read_bytes() == original, f'after edit {i} of {file.name} the picture is the good one')
+        time.sleep(0.3)
+        lavaray.position += len(lavaray.said())
+        if i == 9:
+            begin = lavaray.memory()
+    growth = lavaray.memory() - begin
+    print(f'figure: {count} random edits: alive, memory grew by {growth:.1f} MiB after the tenth')
+    check(growth < 8, f'memory grew by {growth} MiB')
+    check(lavaray.stop() == 0, 'Ctrl-C ends it cleanly')
+    print(f'{checks} checks')
+
+
+main()
