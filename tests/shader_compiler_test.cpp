@@ -26,15 +26,19 @@ std::set<std::string> names(const std::vector<std::filesystem::path>& files,
   return result;
 }
 
-const std::set<std::string> kShaderFiles{"camera.glsl", "interface.h",  "intersect.glsl", "light.glsl",
-                                         "path.glsl",   "random.glsl",  "render.comp",    "scene_data.glsl",
-                                         "shade.glsl",  "surface.glsl", "traverse.glsl",  "vector.glsl",
-                                         "view.glsl"};
+// The source and its includes; there are no others.
+std::set<std::string> shaderFiles() {
+  std::set<std::string> result;
+  for (const auto& entry : std::filesystem::directory_iterator(LAVARAY_SHADERS_DIR)) {
+    if (entry.path().filename() != "CMakeLists.txt") result.insert(entry.path().filename());
+  }
+  return result;
+}
 
 TEST(ShaderCompiler, MakesTheWordsThatTheBuildMakes) {
   const CompiledShader shader = compileRenderShader(LAVARAY_SHADERS_DIR);
   EXPECT_TRUE(std::ranges::equal(shader.spirv, renderSpirv));
-  EXPECT_EQ(names(shader.files, LAVARAY_SHADERS_DIR), kShaderFiles);
+  EXPECT_EQ(names(shader.files, LAVARAY_SHADERS_DIR), shaderFiles());
   EXPECT_TRUE(shader.warnings.empty()) << shader.warnings[0];
 }
 
@@ -137,7 +141,7 @@ TEST(ShaderCompiler, WhatIsNoRegularFileIsNotOpened) {
 TEST(ShaderCompiler, EmptyFiles) {
   const ShaderFolder folder;
   folder.write("view.glsl", "");
-  EXPECT_EQ(folder.error().rfind((folder.path() / "path.glsl").string() + ":", 0), 0U) << folder.error();
+  EXPECT_NE(folder.error().find(": 'kView': undeclared identifier"), std::string::npos) << folder.error();
   folder.write("render.comp", " \n");
   EXPECT_EQ(folder.error(), (folder.path() / "render.comp").string() + ":1: the file is empty");
 }
@@ -210,11 +214,11 @@ std::string edited(std::string text, std::mt19937& random) {
 
 TEST(ShaderCompiler, RandomEditsGiveAShaderOrAPlace) {
   const ShaderFolder folder;
+  const std::set<std::string> files = shaderFiles();
   std::mt19937 random(2718);
   int errors = 0;
   for (int i = 0; i < 100; ++i) {
-    const std::string name =
-        *std::next(kShaderFiles.begin(), static_cast<int>(random() % kShaderFiles.size()));
+    const std::string name = *std::next(files.begin(), static_cast<int>(random() % files.size()));
     const std::string before = folder.read(name);
     folder.write(name, edited(before, random));
     const std::string message = folder.error();
@@ -224,7 +228,7 @@ TEST(ShaderCompiler, RandomEditsGiveAShaderOrAPlace) {
       const std::string start = folder.path().string() + "/";
       ASSERT_EQ(line.rfind(start, 0), 0U) << line;
       const std::size_t colon = line.find(':', start.size());
-      EXPECT_TRUE(kShaderFiles.contains(line.substr(start.size(), colon - start.size()))) << line;
+      EXPECT_TRUE(files.contains(line.substr(start.size(), colon - start.size()))) << line;
       EXPECT_GT(std::stoi(line.substr(colon + 1)), 0) << line;
     }
     errors += message.empty() ? 0 : 1;
