@@ -57,19 +57,26 @@ void rejectNulBytes(std::string_view text, const std::filesystem::path& file) {
 
 Lines::Lines(std::string_view text) : text_(text) {
   if (text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+  findLf();
+}
+
+void Lines::findLf() {
+  lf_ = std::min(text_.find('\n', position_), text_.size());
+  beforeCrs_ = lf_;
+  while (beforeCrs_ > position_ && text_[beforeCrs_ - 1] == '\r') --beforeCrs_;
 }
 
 bool Lines::next() {
   if (position_ >= text_.size()) return false;
-  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
-  line_ = text_.substr(position_, end - position_);
-  position_ = end + 1;
-  while (line_.ends_with('\r')) line_.remove_suffix(1);
+  line_ = text_.substr(position_, beforeCrs_ - position_);
+  ++number_;
   if (const std::size_t loneCr = line_.find('\r'); loneCr != std::string_view::npos) {
     line_ = line_.substr(0, loneCr);
-    position_ = static_cast<std::size_t>(line_.data() + loneCr + 1 - text_.data());
+    position_ += loneCr + 1;
+  } else {
+    position_ = lf_ + 1;
+    if (position_ < text_.size()) findLf();
   }
-  ++number_;
   return true;
 }
 

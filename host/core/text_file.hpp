@@ -26,8 +26,13 @@ class Lines {
   [[nodiscard]] std::size_t lineNumber() const { return number_; }  // from 1
 
  private:
+  void findLf();
+
   std::string_view text_;
   std::size_t position_ = 0;  // of the line after this one
+  // Looked for once, not for each line that a lone CR ends: such a file would be read again and again.
+  std::size_t lf_ = 0;         // the next one, or the end of the text
+  std::size_t beforeCrs_ = 0;  // where the CRs before it begin
   std::string_view line_;
   std::size_t number_ = 0;
 };
