@@ -175,14 +175,18 @@ std::string readText(const std::filesystem::path& file) {
   try {
     return readFile(file);
   } catch (const std::system_error& error) {
-    throw UnreadableFile(ExitCode::kInput, file.string() + ": cannot be read: " + error.code().message());
+    throw UnreadableFile(ExitCode::kInput,
+                         printable(file.native()) + ": cannot be read: " + error.code().message());
   }
 }
 
 }  // namespace
 
 Mesh readObj(const std::filesystem::path& file) {
-  std::string text = readText(file);
+  return parseObj(readText(file), file);
+}
+
+Mesh parseObj(std::string text, const std::filesystem::path& file) {
   rejectNulBytes(text, file);
   LineSource source(std::move(text), file);
   Content content{.source = source};

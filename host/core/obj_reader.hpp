@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/errors.hpp"
 #include "core/scene.hpp"
@@ -17,5 +18,8 @@ class UnreadableFile : public Error {
 // checked where it could hide a broken file and otherwise ignored.
 // Throws UnreadableFile, or Error(kInput) reading `file:line: what is wrong, what is allowed`.
 Mesh readObj(const std::filesystem::path& file);
+
+// The same for the text of an OBJ file that need not be there.
+Mesh parseObj(std::string text, const std::filesystem::path& file);
 
 }  // namespace lavaray

@@ -4,8 +4,16 @@
 
 namespace lavaray {
 
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return result;
+}
+
 std::string messageAt(const Place& place, std::string_view message) {
-  return place.file.string() + ":" + std::to_string(place.line) + ": " + std::string(message);
+  return printable(place.file.native()) + ":" + std::to_string(place.line) + ": " + std::string(message);
 }
 
 void failAt(const Place& place, std::string_view message) {
@@ -14,13 +22,7 @@ void failAt(const Place& place, std::string_view message) {
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 60;
-  std::string result = "\"";
-  for (const char c : text.substr(0, kLongest)) {
-    const bool isControl = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-    result += isControl ? '?' : c;
-  }
-  if (text.size() > kLongest) result += "...";
-  return result + "\"";
+  return '"' + printable(text.substr(0, kLongest)) + (text.size() > kLongest ? "...\"" : "\"");
 }
 
 std::string ticked(std::string_view word) {

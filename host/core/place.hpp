@@ -13,6 +13,9 @@ struct Place {
   std::size_t line;
 };
 
+// Text of a user's in one line that a terminal prints as it is: control characters are replaced.
+std::string printable(std::string_view text);
+
 // `file:line: message`, the form of all complaints about input.
 std::string messageAt(const Place& place, std::string_view message);
 

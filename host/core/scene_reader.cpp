@@ -206,14 +206,17 @@ std::string readText(const std::filesystem::path& file) {
   try {
     return readFile(file);
   } catch (const std::system_error& error) {
-    throw Error(ExitCode::kInput, file.string() + ": cannot be read: " + error.code().message());
+    throw Error(ExitCode::kInput, printable(file.native()) + ": cannot be read: " + error.code().message());
   }
 }
 
 }  // namespace
 
 Scene readScene(const std::filesystem::path& file, const MeshReader& readMesh) {
-  const std::string text = readText(file);
+  return parseScene(readText(file), file, readMesh);
+}
+
+Scene parseScene(std::string_view text, const std::filesystem::path& file, const MeshReader& readMesh) {
   rejectNulBytes(text, file);
   return SceneReader(file, readMesh).read(text);
 }

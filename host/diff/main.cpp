@@ -1,5 +1,4 @@
 // lavaray-diff: compares two images.
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -12,6 +11,7 @@
 #include "app/version.hpp"
 #include "core/errors.hpp"
 #include "core/parallel.hpp"
+#include "core/place.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
 #include "image/image_file.hpp"
@@ -114,13 +114,6 @@ ExitCode diff(const DiffOptions& options) {
     file.commit();
   }
   return withinLimits(options, difference, flip) ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
-}
-
-// Without the characters that a terminal takes for commands.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  return text;
 }
 
 ExitCode info(const std::string& file) {
