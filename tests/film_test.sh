@@ -111,6 +111,11 @@ expect 3 'samples 0:4 are in no part' "$merge" part-?[!0]*.film part-[1-9].film 
 head -c 5000 part-3.film >part-x.film
 expect 3 'part-x.film: the film is truncated' "$merge" part-x.film part-[!3x]*.film -o merged.pfm
 same 'a failed merge' whole.pfm merged.pfm
+expect 3 '' "$merge" --check part-1.film part-x.film part-none.film
+checks=$((checks + 1))
+grep -qx 'part-1.film: complete' stdout && grep -q 'part-x.film: the film is truncated' stdout &&
+  grep -q 'part-none.film: cannot be read' stdout ||
+  { failures=$((failures + 1)); echo 'FAILED: --check:'; cat stdout; }
 for ending in bmp png ppm; do
   expect 0 '' "$lavaray" "$scene" $size --spp 64 --normalize -o whole.$ending
   rm -f part-x.film

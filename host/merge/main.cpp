@@ -22,6 +22,7 @@ struct MergeOptions {
   std::string output;
   std::optional<Rectangle> crop;
   bool normalize = false;
+  bool check = false;
   bool quiet = false;
 };
 
@@ -34,10 +35,11 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
   app.footer(
       "Exit codes: 0 fine, 2 usage, 3 parts that are damaged, foreign or missing, 5 output not written.");
   app.add_option("PARTS", options.parts, "Films of all of the picture, in any order")->required();
-  app.add_option("-o,--output", options.output,
-                 "Image to write; its ending says the format: .bmp, .png, .ppm, .pfm")
-      ->type_name("FILE")
-      ->required();
+  CLI::Option* output = app.add_option("-o,--output", options.output,
+                                       "Image to write; its ending says the format: .bmp, .png, .ppm, .pfm")
+                            ->type_name("FILE");
+  app.add_flag("--check", options.check, "Say of each part whether it is whole and complete; merge nothing")
+      ->excludes(output);
   app.add_option("--crop", crop, "Only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top")
       ->type_name("X0,Y0,X1,Y1")
       ->delimiter(',')
@@ -52,7 +54,10 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
   } catch (const CLI::ParseError& error) {
     throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray-merge --help lists the options");
   }
-  if (!imageFormat(options.output)) {
+  if (!options.check && options.output.empty()) {
+    throw Error(ExitCode::kUsage, "--output is missing; lavaray-merge --help lists the options");
+  }
+  if (!options.check && !imageFormat(options.output)) {
     throw Error(ExitCode::kUsage, "--output " + options.output +
                                       ": its ending says no image format; allowed are " + kImageFormatNames);
   }
@@ -84,6 +89,22 @@ float largestValue(Merge& merge, const Rectangle& area, std::vector<float>& row)
     largest = std::max(largest, *std::max_element(row.begin(), row.end()));
   }
   return largest;
+}
+
+// A line for each part on stdout: its name, and `complete` or what is wrong with it.
+ExitCode checkParts(const MergeOptions& options) {
+  ExitCode code = ExitCode::kSuccess;
+  for (const std::filesystem::path& part : options.parts) {
+    try {
+      const bool isComplete = FilmReader(part).header().isComplete;
+      std::cout << part.string() << (isComplete ? ": complete\n" : ": is not complete\n");
+      if (!isComplete) code = ExitCode::kInput;
+    } catch (const Error& error) {
+      std::cout << error.what() << '\n';
+      code = ExitCode::kInput;
+    }
+  }
+  return code;
 }
 
 ExitCode mergeParts(const MergeOptions& options) {
@@ -126,6 +147,7 @@ ExitCode mergeParts(const MergeOptions& options) {
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray-merge", [&] {
     const auto options = lavaray::parseMergeOptions(argc, argv);
-    return options ? lavaray::mergeParts(*options) : lavaray::ExitCode::kSuccess;
+    if (!options) return lavaray::ExitCode::kSuccess;
+    return options->check ? lavaray::checkParts(*options) : lavaray::mergeParts(*options);
   });
 }
