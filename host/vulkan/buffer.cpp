@@ -39,7 +39,8 @@ void checkReach(const Device& device, const std::string& name, BufferUse use, st
   if (size <= reach) return;
   throw Error(ExitCode::kDevice, "the " + name + " take " + std::to_string(size) + " bytes (" +
                                      inMegabytes(size) + "); " + device.description().name + " allows " +
-                                     std::to_string(reach) + " (" + inMegabytes(reach) + ") in one buffer");
+                                     std::to_string(reach) + " (" + inMegabytes(reach) +
+                                     ") in one buffer; a smaller scene may fit");
 }
 
 }  // namespace
@@ -47,13 +48,13 @@ void checkReach(const Device& device, const std::string& name, BufferUse use, st
 Buffer::Buffer(Device& device, const std::string& name, std::size_t size, BufferUse use,
                VkBufferUsageFlags usage, std::span<const VkMemoryPropertyFlags> memoryWishes)
     : device_(&device), size_(size), use_(use) {
-  const std::string what = "the buffer of the " + name + " (" + std::to_string(size) + " bytes)";
+  const std::string what = "the " + name + " (" + inMegabytes(size) + ")";
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
   info.size = size;
   info.usage = usage;
   VkBuffer buffer = VK_NULL_HANDLE;
-  check(vkCreateBuffer(device.get(), &info, nullptr, &buffer), "create " + what);
+  check(vkCreateBuffer(device.get(), &info, nullptr, &buffer), "make a buffer for " + what);
   buffer_ = {device.get(), buffer};
 
   VkMemoryRequirements requirements{};
@@ -62,20 +63,22 @@ Buffer::Buffer(Device& device, const std::string& name, std::size_t size, Buffer
   for (std::size_t i = 0; i < memoryWishes.size() && !type; ++i) {
     type = findMemoryType(device, requirements.memoryTypeBits, memoryWishes[i]);
   }
-  if (!type) throw Error(ExitCode::kDevice, device.description().name + " has no memory for " + what);
+  if (!type)
+    throw Error(ExitCode::kDevice,
+                device.description().name + " has no memory of the kind that is needed for " + what);
 
   VkMemoryAllocateInfo allocation{};
   allocation.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   allocation.allocationSize = requirements.size;
   allocation.memoryTypeIndex = *type;
   VkDeviceMemory memory = VK_NULL_HANDLE;
-  check(vkAllocateMemory(device.get(), &allocation, nullptr, &memory), "allocate memory for " + what);
+  check(vkAllocateMemory(device.get(), &allocation, nullptr, &memory), "get memory for " + what);
   memory_ = {device.get(), memory};
-  check(vkBindBufferMemory(device.get(), buffer, memory, 0), "bind memory to " + what);
+  check(vkBindBufferMemory(device.get(), buffer, memory, 0), "give memory to " + what);
 
   if ((device.memory().memoryTypes[*type].propertyFlags & kOnHost) == kOnHost) {
     void* address = nullptr;
-    check(vkMapMemory(device.get(), memory, 0, VK_WHOLE_SIZE, 0, &address), "map " + what);
+    check(vkMapMemory(device.get(), memory, 0, VK_WHOLE_SIZE, 0, &address), "reach the memory of " + what);
     mapped_ = static_cast<std::byte*>(address);
   }
 }
@@ -119,7 +122,8 @@ void Buffer::createView(const std::string& name) {
   info.format = kTexelFormat;
   info.range = VK_WHOLE_SIZE;
   VkBufferView view = VK_NULL_HANDLE;
-  check(vkCreateBufferView(device_->get(), &info, nullptr, &view), "create the texel view of the " + name);
+  check(vkCreateBufferView(device_->get(), &info, nullptr, &view),
+        "make the " + name + " readable for the shader");
   view_ = {device_->get(), view};
 }
 

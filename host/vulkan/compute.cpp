@@ -5,6 +5,10 @@
 namespace lavaray::vulkan {
 namespace {
 
+// What is done, for messages.
+constexpr const char* kBinding = "give the shader its data";
+constexpr const char* kPreparing = "prepare the shader for the device";
+
 VkDescriptorType descriptorType(const Buffer& buffer) {
   return buffer.use() == BufferUse::kTexels ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
                                             : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
@@ -34,8 +38,7 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   layoutInfo.bindingCount = count;
   layoutInfo.pBindings = bindings.data();
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device_->get(), &layoutInfo, nullptr, &layout),
-        "create a descriptor set layout");
+  check(vkCreateDescriptorSetLayout(device_->get(), &layoutInfo, nullptr, &layout), kBinding);
   setLayout_ = {device_->get(), layout};
 
   VkDescriptorPoolCreateInfo poolInfo{};
@@ -44,7 +47,7 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   poolInfo.poolSizeCount = count;
   poolInfo.pPoolSizes = sizes.data();
   VkDescriptorPool pool = VK_NULL_HANDLE;
-  check(vkCreateDescriptorPool(device_->get(), &poolInfo, nullptr, &pool), "create a descriptor pool");
+  check(vkCreateDescriptorPool(device_->get(), &poolInfo, nullptr, &pool), kBinding);
   pool_ = {device_->get(), pool};
 
   VkDescriptorSetAllocateInfo setInfo{};
@@ -52,7 +55,7 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   setInfo.descriptorPool = pool;
   setInfo.descriptorSetCount = 1;
   setInfo.pSetLayouts = &layout;
-  check(vkAllocateDescriptorSets(device_->get(), &setInfo, &set_), "allocate a descriptor set");
+  check(vkAllocateDescriptorSets(device_->get(), &setInfo, &set_), kBinding);
 
   std::vector<VkDescriptorBufferInfo> ranges(count);
   std::vector<VkBufferView> views(count);
@@ -84,7 +87,7 @@ void ComputeShader::createPipeline(std::span<const std::uint32_t> spirv,
   layoutInfo.pushConstantRangeCount = pushConstantSize > 0 ? 1 : 0;
   layoutInfo.pPushConstantRanges = &range;
   VkPipelineLayout layout = VK_NULL_HANDLE;
-  check(vkCreatePipelineLayout(device_->get(), &layoutInfo, nullptr, &layout), "create a pipeline layout");
+  check(vkCreatePipelineLayout(device_->get(), &layoutInfo, nullptr, &layout), kPreparing);
   pipelineLayout_ = {device_->get(), layout};
 
   VkShaderModuleCreateInfo moduleInfo{};
@@ -92,7 +95,7 @@ void ComputeShader::createPipeline(std::span<const std::uint32_t> spirv,
   moduleInfo.codeSize = spirv.size_bytes();
   moduleInfo.pCode = spirv.data();
   VkShaderModule rawModule = VK_NULL_HANDLE;
-  check(vkCreateShaderModule(device_->get(), &moduleInfo, nullptr, &rawModule), "create a shader module");
+  check(vkCreateShaderModule(device_->get(), &moduleInfo, nullptr, &rawModule), kPreparing);
   const Handle<VkShaderModule, &vkDestroyShaderModule> shaderModule(device_->get(), rawModule);
 
   std::vector<VkSpecializationMapEntry> entries;
@@ -109,8 +112,7 @@ void ComputeShader::createPipeline(std::span<const std::uint32_t> spirv,
   info.stage.pSpecializationInfo = &specializationInfo;
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device_->get(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-        "create a compute pipeline");
+  check(vkCreateComputePipelines(device_->get(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), kPreparing);
   pipeline_ = {device_->get(), pipeline};
 }
 

@@ -154,7 +154,7 @@ Instance::Instance(bool validate) {
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
     throw Error(ExitCode::kDevice, "there is no Vulkan driver; install mesa-vulkan-drivers");
   }
-  check(result, "create the Vulkan instance");
+  check(result, "start Vulkan");
   loadInstanceFunctions(instance_);
   if (validate) createMessenger(messenger);
 }

@@ -21,35 +21,45 @@ template <typename Function>
 void fetch(VkInstance instance, const char* name, Function& function) {
   function = reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
   if (function == nullptr) {
-    throw Error(ExitCode::kDevice, std::string("the Vulkan loader has no ") + name +
-                                       "; install a newer libvulkan1 (Vulkan 1.2 or later)");
+    throw Error(ExitCode::kDevice,
+                "the Vulkan loader or the driver is too old; install libvulkan1 and mesa-vulkan-drivers for "
+                "Vulkan 1.2 or later");
   }
 }
 
+// What happened, and what can be done about it.
 const char* meaning(VkResult result) {
   switch (result) {
     case VK_ERROR_OUT_OF_HOST_MEMORY:
-      return "out of memory";
+      return "the machine has no memory left; a smaller scene or image needs less";
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-      return "out of device memory";
+    case VK_ERROR_OUT_OF_POOL_MEMORY:
+    case VK_ERROR_FRAGMENTED_POOL:
+    case VK_ERROR_FRAGMENTATION:
+    case VK_ERROR_TOO_MANY_OBJECTS:
+      return "the device has no memory left; a smaller scene needs less, another --device may have more";
     case VK_ERROR_INITIALIZATION_FAILED:
-      return "the driver could not be initialised";
+      return "the driver could not start; is all of it installed, and is there memory for it?";
     case VK_ERROR_DEVICE_LOST:
-      return "the device was lost";
+      return "the device has stopped working; render again, or on another --device";
     case VK_ERROR_MEMORY_MAP_FAILED:
-      return "the memory could not be mapped";
+      return "the program cannot see the device's memory; is the machine's memory full?";
     case VK_ERROR_LAYER_NOT_PRESENT:
-      return "a layer is not installed";
+      return "a Vulkan layer that is asked for is not installed; install it, or ask for none";
     case VK_ERROR_EXTENSION_NOT_PRESENT:
-      return "an extension is not supported";
     case VK_ERROR_FEATURE_NOT_PRESENT:
-      return "a feature is not supported";
+    case VK_ERROR_FORMAT_NOT_SUPPORTED:
+      return "the driver lacks what is needed; install a newer one, or choose another --device";
     case VK_ERROR_INCOMPATIBLE_DRIVER:
-      return "no driver supports this version of Vulkan";
+      return "the driver does not know Vulkan 1.2; install a newer one, such as mesa-vulkan-drivers";
+    case VK_ERROR_INVALID_SHADER_NV:
+      return "the driver does not understand the shader; install a newer one, or choose another --device";
+    case VK_NOT_READY:
     case VK_TIMEOUT:
-      return "the device did not answer in time";
+      return "the device did not answer in time; is it busy?";
     default:
-      return "unexpected failure of the driver";
+      return "the driver says no more than that it failed; a newer one, another --device or more memory may "
+             "help";
   }
 }
 
@@ -85,8 +95,7 @@ void loadInstanceFunctions(VkInstance instance) {
 
 void check(VkResult result, const std::string& action) {
   if (result == VK_SUCCESS) return;
-  throw Error(ExitCode::kDevice, "cannot " + action + ": " + meaning(result) + " (VkResult " +
-                                     std::to_string(static_cast<int>(result)) + ")");
+  throw Error(ExitCode::kDevice, "cannot " + action + ": " + meaning(result));
 }
 
 }  // namespace lavaray::vulkan

@@ -44,7 +44,8 @@ void loadGlobalFunctions();
 // Fetches the other functions. The program has one instance at a time.
 void loadInstanceFunctions(VkInstance instance);
 
-// Throws Error(kDevice) `cannot <action>: <what the result means>` unless `result` is VK_SUCCESS.
+// Throws Error(kDevice) `cannot <action>: <what the result means, and what may help>` unless `result` is
+// VK_SUCCESS. The action is in a user's words.
 void check(VkResult result, const std::string& action);
 
 }  // namespace lavaray::vulkan
