@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/errors.hpp"
+#include "core/place.hpp"
 #include "core/vector.hpp"
 
 namespace lavaray {
@@ -126,7 +127,7 @@ Primitives collectPrimitives(const Scene& scene) {
   std::size_t count = scene.spheres.size() + scene.triangles.size();
   for (const MeshObject& mesh : scene.meshObjects) count += scene.meshes[mesh.mesh].triangles.size();
   if (count > gpu::kMaxReference) {
-    throw Error(ExitCode::kInput, scene.file.string() + ": " + std::to_string(count) +
+    throw Error(ExitCode::kInput, printable(scene.file.native()) + ": " + std::to_string(count) +
                                       " spheres and triangles; at most " +
                                       std::to_string(gpu::kMaxReference) + " are allowed");
   }

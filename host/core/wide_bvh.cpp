@@ -104,8 +104,10 @@ class Widener {
     result_.depth = std::max(result_.depth, depth + 1);
     const auto reference = static_cast<gpu::uint>(result_.nodes.size());
     if (reference > gpu::kMaxNode) {
-      throw Error(ExitCode::kInput, "the scene's hierarchy has more than " + std::to_string(gpu::kMaxNode) +
-                                        " nodes; fewer primitives are allowed");
+      throw Error(ExitCode::kInput,
+                  "the scene has too many spheres and triangles: their hierarchy would have "
+                  "more than " +
+                      std::to_string(gpu::kMaxNode) + " nodes");
     }
     result_.nodes.emplace_back();
     gpu::BvhNode wide{};

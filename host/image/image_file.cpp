@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
 
 #define cimg_display 0
 #define cimg_verbosity 0
@@ -10,6 +14,7 @@
 #include <CImg.h>
 
 #include "core/errors.hpp"
+#include "core/place.hpp"
 
 namespace lavaray {
 namespace {
@@ -26,6 +31,13 @@ CImg<Value> planar(const Image& image, const Convert& convert) {
     for (std::size_t i = 0; i < pixels; ++i) plane[i] = convert(image.rgb[3 * i + channel]);
   }
   return result;
+}
+
+// The system's reason, which CImg does not tell; empty where the file can be read.
+std::string whyUnreadable(const std::filesystem::path& file) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (stream) (void)std::fgetc(stream.get());  // where a folder is found out
+  return stream && std::ferror(stream.get()) == 0 ? std::string() : std::strerror(errno);
 }
 
 }  // namespace
@@ -90,17 +102,19 @@ void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const
     const CImg<std::uint8_t> bytes = planar<std::uint8_t>(image, toByte);
     if (format == ImageFormat::kBmp) bytes.save_bmp(stream);
     if (format == ImageFormat::kPpm) bytes.save_pnm(stream, 1);
-  } catch (const cimg_library::CImgException& e) {
-    throw Error(ExitCode::kOutput, std::string("the image cannot be written: ") + e.what());
+  } catch (const cimg_library::CImgException&) {
+    throw Error(ExitCode::kOutput, "the image cannot be written: there is not enough memory");
   }
 }
 
 Image readImage(const std::filesystem::path& file) {
+  const auto fail = [&](const std::string& why) {
+    return Error(ExitCode::kInput, printable(file.native()) + ": " + why);
+  };
   const std::optional<ImageFormat> format = imageFormat(file);
-  if (!format) {
-    throw Error(ExitCode::kInput,
-                file.string() + ": its ending says no image format; allowed are " + kImageFormatNames);
-  }
+  if (!format) throw fail(std::string("its ending says no image format; allowed are ") + kImageFormatNames);
+  if (const std::string reason = whyUnreadable(file); !reason.empty())
+    throw fail("cannot be read: " + reason);
   CImg<float> loaded;
   try {
     if (format == ImageFormat::kBmp) loaded.load_bmp(file.c_str());
@@ -108,7 +122,8 @@ Image readImage(const std::filesystem::path& file) {
     if (format == ImageFormat::kPpm) loaded.load_pnm(file.c_str());
     if (format == ImageFormat::kPfm) loaded.load_pfm(file.c_str());
   } catch (const cimg_library::CImgException&) {
-    throw Error(ExitCode::kInput, file.string() + ": cannot be read as an image of this ending");
+    throw fail("is not the " + formatName(*format) +
+               " image that its ending says, is damaged, or is too large for the memory");
   }
   Image image{loaded.width(), loaded.height(), {}};
   const std::size_t pixels = std::size_t(image.width) * image.height;

@@ -10,13 +10,14 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "core/place.hpp"
 
 namespace lavaray {
 namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
-  throw Error(ExitCode::kOutput, path.string() + ": cannot be written: " + why);
+  throw Error(ExitCode::kOutput, printable(path.native()) + ": cannot be written: " + why);
 }
 
 // The mode that a file made by open(2) would have; the one of mkstemp is private to its owner.
@@ -31,7 +32,11 @@ mode_t ordinaryMode() {
 OutputFile::OutputFile(const fs::path& path) : path_(path) {
   std::error_code none;
   // Through a symbolic link the file it points to is replaced, not the link.
-  if (fs::is_symlink(path_, none)) path_ = fs::weakly_canonical(path_);
+  if (fs::is_symlink(path_, none)) {
+    std::error_code endless;
+    path_ = fs::weakly_canonical(path, endless);
+    if (endless) fail(path, endless.message());
+  }
   struct stat old {};
   const bool exists = stat(path_.c_str(), &old) == 0;
   if (exists && !S_ISREG(old.st_mode)) fail(path, "it is there and is not an ordinary file");

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "core/errors.hpp"
+#include "core/place.hpp"
 #include "image/image_file.hpp"
 
 namespace lavaray {
@@ -111,10 +112,10 @@ void writePng(const Image& image, const TextEntries& entries, std::FILE* stream)
 
 TextEntries readPngTexts(const std::filesystem::path& file) {
   const auto fail = [&](const std::string& why) {
-    return Error(ExitCode::kInput, file.string() + ": " + why);
+    return Error(ExitCode::kInput, printable(file.native()) + ": " + why);
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (!stream) throw fail(std::strerror(errno));
+  if (!stream) throw fail(std::string("cannot be read: ") + std::strerror(errno));
   std::string message = "libpng cannot be started";
   Reader reader;
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, onError, onWarning);
