@@ -188,25 +188,27 @@ ExitCode Session::watch() {
   catchInterrupts();
   watcher_.emplace();  // before anything is read, so that no change is lost
   ExitCode code = ExitCode::kSuccess;
+  bool isDue = false;  // there is something that no picture shows yet
   for (Files changed; !isEnded(); changed = changed_.empty() ? waitForChanges() : changed_) {
     if (!options_.quiet) {
       for (const auto& file : changed) std::cerr << "changed: " << file.string() << '\n';
     }
     times_ = StepTimes();
-    const bool isNew = readChanged(changed);
+    isDue = readChanged(changed) || isDue;
     watcher_->watch(inputs_.files());
     changed_.clear();
-    if (!isNew) continue;
+    if (!isDue || !inputs_.areComplete()) continue;
     const std::optional<ExitCode> result = attempt([&] { return renderAndWrite(); });
     code = result.value_or(code);
-    if (result && changed_.empty() && !options_.quiet) {
+    isDue = !changed_.empty();  // which ended the render
+    if (result && !isDue && !options_.quiet) {
       std::cerr << "wrote " << options_.output << ": " << times_.inOneLine() << '\n';
     }
   }
   return code;
 }
 
-// Returns whether there is something new to render, and all that it takes.
+// Returns whether there is something new to render.
 bool Session::readChanged(const Files& changed) {
   const auto timed = [&](const std::string& step, const auto& read) {
     progress_.begin(step);
@@ -217,7 +219,7 @@ bool Session::readChanged(const Files& changed) {
   const bool isSceneNew = timed("read scene", [&] { return inputs_.readScene(changed); });
   const bool isShaderNew = timed("compile shaders", [&] { return inputs_.compileShaders(changed); });
   printWarnings();
-  return (isSceneNew || isShaderNew) && inputs_.areComplete();
+  return isSceneNew || isShaderNew;
 }
 
 Inputs::Files Session::waitForChanges() {
