@@ -51,7 +51,8 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   app.add_option("--max-flip", options.maxFlip, "Allow a mean FLIP (perceived difference, 0..1) of F")
       ->type_name("F")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("-o,--output", options.output, "Write a picture of the difference, the largest as 1")
+  app.add_option("-o,--output", options.output,
+                 "Picture of the difference to write (.bmp, .png, .ppm, .pfm), the largest as 1")
       ->type_name("FILE");
   CLI::Option* info = app.add_flag("--info", options.info, "Print size, format and texts of IMAGE alone");
   for (const char* other :
