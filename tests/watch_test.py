@@ -85,6 +85,8 @@ def main():
     for name in ('torus.txt', 'torus.obj'):
         shutil.copy(scenes / name, work)
     shutil.copytree(shaders, work / 'shaders')
+    shutil.copytree(work, work / 'slow')
+    time.sleep(0.5)  # Files that change while the program starts count as changed, and it draws a second picture.
     scene, mesh, shader = work / 'torus.txt', work / 'torus.obj', work / 'shaders' / 'render.comp'
     picture = work / 'torus.ppm'
     lavaray = Watched(programs / 'lavaray', ['torus.txt', '-o', 'torus.ppm', '--width', '120', '--shaders', 'shaders'],
@@ -140,6 +142,21 @@ def main():
         edit(mesh, mesh_text)
         lavaray.wait_for('wrote torus.ppm')
         check(picture.read_bytes() == original, 'the mesh is as before, and so is the picture')
+
+    # A good edit, and before its picture is done a broken one: the good one still gets its picture.
+    slow = Watched(programs / 'lavaray', ['torus.txt', '-o', 'slow.ppm', '--width', '120', '--spp', '1500', '--shaders',
+                                          'shaders'], work / 'slow')
+    slow.wait_for('wrote slow.ppm')
+    before = (work / 'slow' / 'slow.ppm').read_bytes()
+    edit_in_place(work / 'slow' / 'torus.txt', re.sub(r'dif:.*', 'dif: 0.1 0.1 0.9', scene_text))
+    slow.wait_for('changed: torus.txt')
+    time.sleep(0.1)
+    edit_in_place(work / 'slow' / 'shaders' / 'render.comp', shader_text + 'broken(')
+    slow.wait_for('shaders/render.comp:')
+    slow.wait_for('wrote slow.ppm')
+    check((work / 'slow' / 'slow.ppm').read_bytes() != before, 'the good edit is in the picture')
+    code = slow.stop()
+    check(code == 0, f'Ctrl-C ends it cleanly, not with {code}')
 
     # An interface that is not the program's is refused.
     interface = work / 'shaders' / 'interface.h'
