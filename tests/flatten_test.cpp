@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 namespace lavaray {
 namespace {
@@ -61,6 +62,46 @@ TEST(Flatten, NumbersPrimitivesInTheOrderOfTheFile) {
   EXPECT_EQ(objectOfOrder, (std::vector<std::uint32_t>{0, 1, 1, 2, 3}));
   EXPECT_TRUE(flat.hasSpheres && flat.hasTriangles);
   EXPECT_EQ(flat.trianglePlanes.size(), flat.primitives.size());
+}
+
+template <typename Element>
+bool sameBytes(const std::vector<Element>& a, const std::vector<Element>& b) {
+  return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
+}
+
+// With other lights, materials and planes the hierarchy stays, and all else is as if flattened anew.
+TEST(Flatten, TakesUpAnotherShadingOfTheSameGeometry) {
+  Scene scene = sceneWithMaterials(3);
+  scene.spheres = {{{0, 0, -5}, 1.0, 0}, {{9, 0, -5}, 1.0, 1}};
+  scene.planes = {{{0, 1, 0}, {0, -2, 0}, 2}};
+  scene.lights = {{.position = {1, 2, 3}, .radius = 0.5}};
+  scene.materials[1].reflectance = glm::dvec3(0.5);
+  GpuScene flat = flatten(scene, 1);
+
+  Scene other = scene;
+  other.lights = {{.position = {3, 2, 1}}, {.position = {4, 5, 6}}};
+  other.materials[1].reflectance = glm::dvec3(0.0);
+  other.materials.resize(4);
+  other.planes.push_back({{1, 0, 0}, {-4, 0, 0}, 3});
+  EXPECT_TRUE(sameGeometry(scene, other));
+  flattenShading(other, flat);
+  const GpuScene anew = flatten(other, 1);
+  EXPECT_TRUE(sameBytes(flat.nodes, anew.nodes));
+  EXPECT_TRUE(sameBytes(flat.primitives, anew.primitives));
+  EXPECT_TRUE(sameBytes(flat.planes, anew.planes));
+  EXPECT_TRUE(sameBytes(flat.lights, anew.lights));
+  EXPECT_TRUE(sameBytes(flat.materials, anew.materials));
+  EXPECT_FALSE(flat.hasMirrors);
+  EXPECT_FALSE(flat.hasSphericalLights);
+
+  other.camera.position.x += 1.0;
+  EXPECT_FALSE(sameGeometry(scene, other));
+  other = scene;
+  other.spheres[1].radius *= 2.0;
+  EXPECT_FALSE(sameGeometry(scene, other));
+  other = scene;
+  other.spheres[1].object = 2;
+  EXPECT_FALSE(sameGeometry(scene, other));
 }
 
 TEST(Flatten, KeepsTheNormalOfASliverAndOfAHugeTriangle) {

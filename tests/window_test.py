@@ -111,7 +111,7 @@ def main():
         picture.unlink()
         render = start(programs, scenes, work, '--spp', '100000')
         window = window_of(render)
-        first = until(lambda: re.search(r': (\S+) spp, (\d+) %', title(window)), 'progress in the title')
+        first = until(lambda: re.search(r': (\S+) spp, (\d+) %, [\d:]+ left', title(window)), 'progress in the title')
         until(lambda: float(re.search(r': (\S+) spp', title(window)).group(1)) > float(first.group(1)), 'growth')
         xdotool('key', '--window', window, 'q')
         if render.wait(SECONDS) != 130 or not picture.exists():

@@ -19,6 +19,14 @@ constexpr int kBarWidth = 24;
 // Takes a line's content away and returns to its begin.
 constexpr const char* kClearLine = "\r\x1b[K";
 
+std::size_t terminalColumns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+}  // namespace
+
 std::string hoursAndMinutes(std::chrono::duration<double> duration) {
   const auto seconds = static_cast<long long>(std::min(std::round(duration.count()), 1e9));
   std::ostringstream text;
@@ -28,13 +36,9 @@ std::string hoursAndMinutes(std::chrono::duration<double> duration) {
   return text.str();
 }
 
-std::size_t terminalColumns() {
-  winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
+std::chrono::duration<double> remainingTime(std::chrono::duration<double> elapsed, double share) {
+  return elapsed * ((1.0 - share) / share);
 }
-
-}  // namespace
 
 ProgressStyle progressStyle(bool quiet) {
   if (quiet) return ProgressStyle::kNone;
@@ -89,7 +93,7 @@ std::string Progress::text(Clock::duration elapsed) const {
   text << step_;
   if (share_ >= 0.0) text << "  " << std::setw(3) << static_cast<int>(100.0 * share_) << " %";
   text << "  " << hoursAndMinutes(elapsed) << " elapsed";
-  if (share_ > 0.0) text << ", " << hoursAndMinutes(elapsed * ((1.0 - share_) / share_)) << " left";
+  if (share_ > 0.0) text << ", " << hoursAndMinutes(remainingTime(elapsed, share_)) << " left";
   if (!detail_.empty()) text << ", " << detail_;
   return text.str();
 }

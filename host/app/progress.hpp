@@ -17,6 +17,11 @@ enum class ProgressStyle {
 // The style for stderr, which is a terminal or not.
 ProgressStyle progressStyle(bool quiet);
 
+// Like 0:07, 12:30 or 1:05:00.
+std::string hoursAndMinutes(std::chrono::duration<double> duration);
+// How long a piece of work of which `share`, above 0, took `elapsed` goes on.
+std::chrono::duration<double> remainingTime(std::chrono::duration<double> elapsed, double share);
+
 // Tells on stderr how far a step is that takes more than half a second. Nobody else writes there during a
 // step.
 class Progress {

@@ -244,7 +244,11 @@ void Session::openWindow(const ImageSize& size) {
 void Session::showInWindow(const Render& render, bool isFinished) {
   std::ostringstream title;
   title << options_.scene.filename().string() << ": " << describeSamples(render);
-  if (!isFinished) title << ", " << static_cast<int>(100.0 * render.shareDone()) << " %";
+  const double share = render.shareDone();
+  if (!isFinished) {
+    title << ", " << static_cast<int>(100.0 * share) << " %, "
+          << hoursAndMinutes(remainingTime(render.elapsed(), share)) << " left";
+  }
   Image image = render.image();
   if (options_.normalize) normalize(image);
   window_->show(std::move(image), title.str());

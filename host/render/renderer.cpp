@@ -103,17 +103,18 @@ void Render::run(const Proceed& proceed) {
 
 std::optional<StopReason> Render::reasonToStop(const Proceed& proceed) const {
   if (!proceed()) return StopReason::kInterrupted;
-  if (settings_.timeLimitSeconds && seconds() >= *settings_.timeLimitSeconds) return StopReason::kTimeLimit;
+  if (settings_.timeLimitSeconds && elapsed().count() >= *settings_.timeLimitSeconds)
+    return StopReason::kTimeLimit;
   return std::nullopt;
 }
 
-double Render::seconds() const {
-  return std::chrono::duration<double>(Clock::now() - start_).count();
+std::chrono::duration<double> Render::elapsed() const {
+  return Clock::now() - start_;
 }
 
 double Render::shareDone() const {
   if (!isTraced()) return 1.0;
-  const double timeShare = settings_.timeLimitSeconds ? seconds() / *settings_.timeLimitSeconds : 0.0;
+  const double timeShare = settings_.timeLimitSeconds ? elapsed().count() / *settings_.timeLimitSeconds : 0.0;
   return std::clamp(timeShare, sampling_->shareDone(), 1.0);
 }
 

@@ -72,7 +72,6 @@ class Render {
   [[nodiscard]] std::optional<StopReason> reasonToStop(const Proceed& proceed) const;
   [[nodiscard]] std::uint32_t mostSamples() const;
   [[nodiscard]] glm::vec3 shown(std::uint64_t pixel, std::uint32_t most) const;
-  [[nodiscard]] double seconds() const;
 
   const vulkan::Device& device_;
   Rectangle crop_;                      // of the picture that is asked for
