@@ -1,5 +1,6 @@
-# Bash completion of lavaray, lavaray-diff and lavaray-merge. It knows no options: these, and what goes with them, are
-# taken from what the program's --help prints, and the names that an option takes from the message about a wrong one.
+# Bash completion of lavaray, lavaray-diff and lavaray-merge. It has no list of the options: these, and what goes with
+# them, it takes from what the program's --help prints, and the names that an option takes from the message about a
+# wrong one.
 
 # Reads the help; prints a line for each option and argument: its names, the first word of what it takes (- is
 # nothing), and all of the help's lines about it.
@@ -29,7 +30,8 @@ _lavaray_names() {
 # _lavaray_endings NAMES TEXT: the endings of the files that an option or argument takes: those that its text has, or
 # else what such files are usually called.
 _lavaray_endings() {
-  local named=$(grep -oE '[ (]\.[a-z]+' <<<"$2" | tr -d ' (')
+  local named
+  named=$(grep -oE '[ (]\.[a-z]+' <<<"$2" | tr -d ' (')
   case $named:$1 in
     .*) echo "$named" ;;
     :SCENE) echo .txt ;;

@@ -65,6 +65,7 @@ cp /etc/hosts /etc/resolv.conf "$root/etc"
 in_root useradd --create-home painter
 cp "$package" "$root/tmp/lavaray.deb"
 holds 'apt-get update' in_root apt-get update -q
+in_root apt-get clean
 size_before=$(du -s --block-size=1M --one-file-system "$root" | cut -f1)
 
 echo 'installing the package, without what it only recommends'
