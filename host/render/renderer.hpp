@@ -57,6 +57,7 @@ class Render {
   // Throws Error(kDevice) where the device fails or cannot finish a ray.
   void run(const Proceed& proceed);
 
+  [[nodiscard]] std::chrono::duration<double> elapsed() const;
   [[nodiscard]] double shareDone() const;  // in [0, 1]; estimated where there is a target or a time limit
   [[nodiscard]] double samplesPerPixel() const;  // in the mean, those of a film included
   [[nodiscard]] double estimatedError() const;   // RMSE, where there is a target, else 0
