@@ -1,16 +1,17 @@
 #include "image/image_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <system_error>
 
 #define cimg_display 0
 #define cimg_verbosity 0
-#define cimg_use_png
 #include <CImg.h>
 
 #include "core/errors.hpp"
@@ -31,6 +32,31 @@ CImg<Value> planar(const Image& image, const Convert& convert) {
     for (std::size_t i = 0; i < pixels; ++i) plane[i] = convert(image.rgb[3 * i + channel]);
   }
   return result;
+}
+
+// Whether the file holds fewer bytes than the pixels that CImg has read from it: the last of them are then
+// whatever was in the memory. Headers of PPM and PFM count for nothing, and of forms that the programs do not
+// write (text, compressed) nothing is known.
+bool endsEarly(const std::filesystem::path& file, ImageFormat format, const CImg<float>& image) {
+  std::array<unsigned char, 34> header{};
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (!stream || std::fread(header.data(), 1, header.size(), stream.get()) == 0) return true;
+  const auto number = [&](std::size_t at, int bytes) {
+    std::uintmax_t value = 0;
+    for (int i = 0; i < bytes; ++i) value |= std::uintmax_t{header[at + i]} << (8 * i);
+    return value;
+  };
+  const std::uintmax_t values = image.size();
+  std::uintmax_t needed = 0;
+  if (format == ImageFormat::kPfm) needed = 4 * values;
+  if (format == ImageFormat::kPpm && (header[1] == '5' || header[1] == '6')) needed = values;
+  if (format == ImageFormat::kBmp && number(30, 4) == 0) {
+    const std::uintmax_t row = (image.width() * number(28, 2) + 31) / 32 * 4;
+    needed = number(10, 4) + row * image.height();
+  }
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+  return !unknown && size < needed;
 }
 
 // The system's reason, which CImg does not tell; empty where the file can be read.
@@ -115,16 +141,17 @@ Image readImage(const std::filesystem::path& file) {
   if (!format) throw fail(std::string("its ending says no image format; allowed are ") + kImageFormatNames);
   if (const std::string reason = whyUnreadable(file); !reason.empty())
     throw fail("cannot be read: " + reason);
+  if (format == ImageFormat::kPng) return readPng(file);
   CImg<float> loaded;
   try {
     if (format == ImageFormat::kBmp) loaded.load_bmp(file.c_str());
-    if (format == ImageFormat::kPng) loaded.load_png(file.c_str());
     if (format == ImageFormat::kPpm) loaded.load_pnm(file.c_str());
     if (format == ImageFormat::kPfm) loaded.load_pfm(file.c_str());
   } catch (const cimg_library::CImgException&) {
     throw fail("is not the " + formatName(*format) +
                " image that its ending says, is damaged, or is too large for the memory");
   }
+  if (endsEarly(file, *format, loaded)) throw fail("ends before all of its pixels");
   Image image{loaded.width(), loaded.height(), {}};
   const std::size_t pixels = std::size_t(image.width) * image.height;
   const float scale = format == ImageFormat::kPfm ? 1.0F : 255.0F;

@@ -7,7 +7,9 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <memory>
+#include <new>
 
 #include "core/errors.hpp"
 #include "core/place.hpp"
@@ -15,12 +17,6 @@
 
 namespace lavaray {
 namespace {
-
-struct Reader {
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-};
 
 void onWarning(png_structp /*png*/, png_const_charp /*message*/) {}
 
@@ -54,6 +50,48 @@ std::vector<png_text> pngTexts(const TextEntries& entries) {
   }
   return texts;
 }
+
+// A file that is read as PNG.
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& file) : file_(file) {
+    stream_.reset(std::fopen(file.c_str(), "rb"));
+    if (!stream_) fail(std::string("cannot be read: ") + std::strerror(errno));
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, onError, onWarning);
+    if (png_ != nullptr) info_ = png_create_info_struct(png_);
+    if (info_ == nullptr) throw std::bad_alloc();
+  }
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  [[nodiscard]] png_structp png() const { return png_; }
+  [[nodiscard]] png_infop info() const { return info_; }
+
+  // Throws Error(kInput) where libpng finds an error.
+  template <typename Body>
+  void run(const Body& body) {
+    const bool isRead = succeeds(png_, [&] {
+      png_init_io(png_, stream_.get());
+      body(png_, info_);
+    });
+    if (!isRead) fail("is no PNG image or is damaged: " + message_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const {
+    throw Error(ExitCode::kInput, printable(file_.native()) + ": " + why);
+  }
+
+  struct Close {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
+  const std::filesystem::path& file_;
+  std::unique_ptr<std::FILE, Close> stream_;
+  std::string message_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+};
 
 }  // namespace
 
@@ -111,28 +149,36 @@ void writePng(const Image& image, const TextEntries& entries, std::FILE* stream)
 }
 
 TextEntries readPngTexts(const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& why) {
-    return Error(ExitCode::kInput, printable(file.native()) + ": " + why);
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (!stream) throw fail(std::string("cannot be read: ") + std::strerror(errno));
-  std::string message = "libpng cannot be started";
-  Reader reader;
-  reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, onError, onWarning);
-  if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
-  const bool read = reader.info != nullptr && succeeds(reader.png, [&] {
-                      png_init_io(reader.png, stream.get());
-                      png_read_info(reader.png, reader.info);
-                    });
-  if (!read) throw fail("cannot be read as PNG: " + message);
-
+  Reader reader(file);
+  reader.run([](png_structp png, png_infop info) { png_read_info(png, info); });
   png_textp texts = nullptr;
-  const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
+  const int count = png_get_text(reader.png(), reader.info(), &texts, nullptr);
   TextEntries entries;
   for (int i = 0; i < count; ++i) {
     entries.emplace_back(texts[i].key, texts[i].text == nullptr ? "" : texts[i].text);
   }
   return entries;
+}
+
+Image readPng(const std::filesystem::path& file) {
+  Reader reader(file);
+  reader.run([](png_structp png, png_infop info) {
+    png_read_png(
+        png, info,
+        PNG_TRANSFORM_EXPAND | PNG_TRANSFORM_GRAY_TO_RGB | PNG_TRANSFORM_SCALE_16 | PNG_TRANSFORM_STRIP_ALPHA,
+        nullptr);
+  });
+  Image image{static_cast<int>(png_get_image_width(reader.png(), reader.info())),
+              static_cast<int>(png_get_image_height(reader.png(), reader.info())),
+              {}};
+  const png_bytepp rows = png_get_rows(reader.png(), reader.info());
+  const std::size_t rowSize = std::size_t{3} * image.width;
+  image.rgb.reserve(rowSize * image.height);
+  for (int y = 0; y < image.height; ++y) {
+    std::transform(rows[y], rows[y] + rowSize, std::back_inserter(image.rgb),
+                   [](png_byte byte) { return static_cast<float>(byte) / 255.0F; });
+  }
+  return image;
 }
 
 }  // namespace lavaray

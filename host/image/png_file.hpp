@@ -39,6 +39,10 @@ class PngWriter {
 
 void writePng(const Image& image, const TextEntries& texts, std::FILE* stream);
 
+// An image of any PNG format, its channels rounded to 8 bits, without its alpha channel; a grey image has
+// three equal channels. Throws Error(kInput) where the file cannot be read as PNG.
+Image readPng(const std::filesystem::path& file);
+
 // The texts that stand before the pixels, where writePng puts them. Throws Error(kInput) where the file
 // cannot be read as PNG.
 TextEntries readPngTexts(const std::filesystem::path& file);
