@@ -1,11 +1,14 @@
 #include "app/options.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "app/usage.hpp"
 #include "app/version.hpp"
 #include "core/errors.hpp"
 #include "core/limits.hpp"
@@ -21,7 +24,7 @@ void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
          "(float) or .film (a part for lavaray-merge). '-' writes PPM to stdout. Default: SCENE's name "
          "with .bmp, in the current folder")
       ->type_name("FILE");
-  const CLI::Range side(1, kMaxImageSide);
+  const CLI::Validator side = integerFrom(1, kMaxImageSide);
   app.add_option("--width", options.width, "Width in pixels of the same view; without --height by its aspect")
       ->type_name("W")
       ->check(side);
@@ -32,7 +35,8 @@ void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
   app.add_option("--crop", crop, "Render only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top")
       ->type_name("X0,Y0,X1,Y1")
       ->delimiter(',')
-      ->expected(4);
+      ->expected(4)
+      ->check(integerFrom(0, kMaxImageSide));
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
 }
 
@@ -66,7 +70,7 @@ void checkSampleRange(const Options& options) {
 void addSamplingOptions(CLI::App& app, Options& options) {
   CLI::Option* spp = app.add_option("--spp", options.samples, "Samples per pixel; 1 is the pixel's centre")
                          ->type_name("N")
-                         ->check(CLI::Range(std::uint32_t{1}, kMostSamples))
+                         ->check(integerFrom(1, kMostSamples))
                          ->capture_default_str();
   app.add_option_function<std::string>(
          "--filter", [&options](const std::string& name) { options.filter = pixelFilter(name).value(); },
@@ -79,15 +83,15 @@ void addSamplingOptions(CLI::App& app, Options& options) {
   app.add_option("--target-error", options.targetError,
                  "Sample until the image's RMSE is estimated to be at most E (colours in 0..1)")
       ->type_name("E")
-      ->check(CLI::Range(1e-6, 1.0))
+      ->check(numberFrom(1e-6, 1.0))
       ->excludes(spp);
   app.add_option("--max-spp", options.maxSamples, "Samples per pixel that --target-error may take")
       ->type_name("N")
-      ->check(CLI::Range(std::uint32_t{2}, kMostSamples))
+      ->check(integerFrom(2, kMostSamples))
       ->capture_default_str();
   app.add_option("--time-limit", options.timeLimitSeconds, "Stop sampling after S seconds")
       ->type_name("S")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberFrom(0.0, 1e9));
   app.add_option_function<std::string>(
          "--sample-range", [&options](const std::string& text) { options.sampleRange = sampleRange(text); },
          "Only the samples A <= i < B of the --spp samples of each pixel, for a part to be merged")
@@ -95,6 +99,7 @@ void addSamplingOptions(CLI::App& app, Options& options) {
       ->needs(spp);
   app.add_option("--seed", options.seed, "Other samples of the same picture")
       ->type_name("N")
+      ->check(integerFrom(0, std::numeric_limits<std::uint32_t>::max()))
       ->capture_default_str();
   app.add_option_function<std::string>(
          "--sampler",
@@ -103,7 +108,11 @@ void addSamplingOptions(CLI::App& app, Options& options) {
          },
          "Sample positions: sobol (Owen-scrambled) or random, for comparison. Default: sobol")
       ->type_name("NAME")
-      ->check(CLI::IsMember({samplerName(Sampler::kSobol), samplerName(Sampler::kRandom)}));
+      ->check([](const std::string& name) {
+        return name == samplerName(Sampler::kSobol) || name == samplerName(Sampler::kRandom)
+                   ? std::string()
+                   : "there is no sampler " + name + ", allowed are sobol, random";
+      });
 }
 
 void addViewOption(CLI::App& app, Options& options) {
@@ -123,15 +132,15 @@ void addViewOption(CLI::App& app, Options& options) {
 void addSceneOptions(CLI::App& app, Options& options) {
   app.add_option("--max-depth", options.maxDepth, "Mirror bounces, 0 to 1000")
       ->type_name("N")
-      ->check(CLI::Range(0, 1000))
+      ->check(integerFrom(0, 1000))
       ->capture_default_str();
   app.add_option("--reflect", options.reflect, "Materials without `ref` mirror K times their specular colour")
       ->type_name("K")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--light-radius", options.lightRadius, "Lights without `rad` are spheres of radius R")
       ->type_name("R")
-      ->check(CLI::Range(0.0, kMaxMagnitude))
+      ->check(numberFrom(0.0, kMaxMagnitude))
       ->capture_default_str();
 }
 
@@ -141,7 +150,7 @@ void addFilmOptions(CLI::App& app, Options& options) {
                                 ->type_name("FILE");
   app.add_option("--checkpoint-every", options.checkpointSeconds, "Seconds from one checkpoint to the next")
       ->type_name("S")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(numberFrom(0.0, 1e9))
       ->capture_default_str()
       ->needs(checkpoint);
   app.add_option("--resume", options.resume,
@@ -234,7 +243,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     app.exit(success, std::cout, std::cerr);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray --help lists the options");
+    throw usageError(error, "lavaray");
   }
   if (options.listDevices) return options;
   if (options.scene.empty())

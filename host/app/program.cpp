@@ -1,20 +1,51 @@
 #include "app/program.hpp"
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
+#include <system_error>
 
 namespace lavaray {
+namespace {
+
+constexpr const char* kNoMemory = ": there is not enough memory; a smaller image or scene needs less\n";
+
+std::string programName;
+
+// Drivers have threads of their own, and a compiler that throws in them where it gets no memory.
+[[noreturn]] void onTerminate() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    std::fputs((programName + kNoMemory).c_str(), stderr);
+    std::_Exit(static_cast<int>(ExitCode::kInternalError));
+  } catch (...) {
+  }
+  std::abort();
+}
+
+}  // namespace
 
 int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
+  programName = name;
+  std::set_terminate(onTerminate);
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit shall be a write error, not the end
   try {
     return static_cast<int>(body());
   } catch (const Error& error) {
     std::cerr << name << ": " << error.what() << '\n';
     return static_cast<int>(error.exitCode());
+  } catch (const std::bad_alloc&) {
+    std::cerr << name << kNoMemory;
+    return static_cast<int>(ExitCode::kInternalError);
+  } catch (const std::system_error& error) {
+    std::cerr << name << ": the system refuses what is needed: " << error.code().message() << '\n';
+    return static_cast<int>(ExitCode::kInternalError);
   } catch (const std::exception& error) {
-    std::cerr << name << ": internal error: " << error.what() << '\n';
+    std::cerr << name << ": internal error, a defect of the program: " << error.what() << '\n';
     return static_cast<int>(ExitCode::kInternalError);
   }
 }

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/program.hpp"
+#include "app/usage.hpp"
 #include "app/version.hpp"
 #include "core/errors.hpp"
 #include "core/parallel.hpp"
@@ -43,14 +44,16 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   app.add_option("REFERENCE", options.reference, "Image to compare it with");
   app.add_option("--tolerance", options.tolerance, "A channel off by at most T/255 does not differ")
       ->type_name("T")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--max-differing", options.maxDiffering, "Allow N differing pixels")->type_name("N");
+      ->check(numberFrom(0.0));
+  app.add_option("--max-differing", options.maxDiffering, "Allow N differing pixels")
+      ->type_name("N")
+      ->check(integerFrom(0));
   app.add_option("--max-rmse", options.maxRmse, "Allow a root-mean-square error of E (colours in 0..1)")
       ->type_name("E")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFrom(0.0));
   app.add_option("--max-flip", options.maxFlip, "Allow a mean FLIP (perceived difference, 0..1) of F")
       ->type_name("F")
-      ->check(CLI::NonNegativeNumber);
+      ->check(numberFrom(0.0));
   app.add_option("-o,--output", options.output,
                  "Picture of the difference to write (.bmp, .png, .ppm, .pfm), the largest as 1")
       ->type_name("FILE");
@@ -65,7 +68,7 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
     app.exit(success, std::cout, std::cerr);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray-diff --help lists the options");
+    throw usageError(error, "lavaray-diff");
   }
   if (options.reference.empty() && !options.info) {
     throw Error(ExitCode::kUsage, "REFERENCE is missing; lavaray-diff --help lists the options");

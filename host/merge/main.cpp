@@ -9,7 +9,9 @@
 
 #include "app/program.hpp"
 #include "app/progress.hpp"
+#include "app/usage.hpp"
 #include "app/version.hpp"
+#include "core/limits.hpp"
 #include "film/merge.hpp"
 #include "image/output_file.hpp"
 #include "image/row_writer.hpp"
@@ -43,7 +45,8 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
   app.add_option("--crop", crop, "Only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top")
       ->type_name("X0,Y0,X1,Y1")
       ->delimiter(',')
-      ->expected(4);
+      ->expected(4)
+      ->check(integerFrom(0, kMaxImageSide));
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
   app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");
   try {
@@ -52,7 +55,7 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
     app.exit(success, std::cout, std::cerr);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    throw Error(ExitCode::kUsage, std::string(error.what()) + "; lavaray-merge --help lists the options");
+    throw usageError(error, "lavaray-merge");
   }
   if (!options.check && options.output.empty()) {
     throw Error(ExitCode::kUsage, "--output is missing; lavaray-merge --help lists the options");
