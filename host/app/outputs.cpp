@@ -12,9 +12,11 @@ Outputs::Outputs(const Options& options) : hasFilm_(writesFilm(options)) {
 
 void Outputs::writePicture(const Image& image, const TextEntries& origin) {
   writeImage(image, format_, output_ ? output_->stream() : stdout, origin);
-  if (output_) output_->commit();
-  if (!output_ && std::fflush(stdout) != 0) {
-    throw Error(ExitCode::kOutput, "the image cannot be written to stdout");
+  if (output_) return output_->commit();
+  // A write that failed earlier is remembered by the stream alone.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    throw Error(ExitCode::kOutput,
+                "the image cannot be written to stdout: is there room, and does anyone read?");
   }
 }
 
