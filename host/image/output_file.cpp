@@ -66,7 +66,9 @@ void OutputFile::commit() {
   errno = 0;
   const bool written = std::ferror(stream_) == 0 && std::fflush(stream_) == 0;
   const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
-  if (!written || !closed) fail(path_, errno != 0 ? std::strerror(errno) : "a write failed");
+  if (!written || !closed)
+    fail(path_, errno != 0 ? std::strerror(errno)
+                           : "a write failed; is there room, and are files of this size allowed?");
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, std::strerror(errno));
   temporary_.clear();
 }

@@ -166,9 +166,10 @@ void Tracer::dispatchUntilFinished(std::uint32_t count) {
     const gpu::DispatchStatus status = dispatch(*resumable_, count, pass);
     if (status.unfinished == 0) return;
     if (status.stuck == status.unfinished && status.unfinished == unfinishedBefore) {
-      throw Error(ExitCode::kDevice, device_.description().name + " ends a shader's loops before " +
-                                         std::to_string(status.stuck) +
-                                         " rays are through: too many surfaces overlap there");
+      throw Error(ExitCode::kDevice,
+                  device_.description().name + " gives up " + std::to_string(status.stuck) +
+                      " rays that pass too many surfaces or meet too many lights; a scene "
+                      "where fewer overlap can be rendered, or another --device may do more");
     }
     unfinishedBefore = status.unfinished;
     pass = gpu::kPassResumed;
