@@ -125,6 +125,7 @@ holds 'no picture where the statistics cannot be written' test ! -e unwritten.pn
 expect 3 'no-such-scene' "$lavaray" no-such-scene.txt --json kept.json -o unwritten.png
 holds 'a scene error leaves the statistics alone' grep -qx 'precious' kept.json
 expect 2 'check' "$lavaray" "$scene" --check --json stats.json
+expect 2 '--output and --json are both ./one.ppm' "$lavaray" "$scene" -o ./one.ppm --json one.ppm
 
 ln -s target.png link.png
 printf 'old' >target.png

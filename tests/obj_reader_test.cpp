@@ -16,6 +16,12 @@ namespace {
 
 using Indices = std::array<std::uint32_t, 3>;
 
+std::string faceOfOneVertex(int corners) {
+  std::string face = "f";
+  for (int i = 0; i < corners; ++i) face += " 1";
+  return face + '\n';
+}
+
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -198,7 +204,8 @@ const BadObj kBadObjs[] = {
     {"TooLarge", "v 0 0 1.1e15\n", 1, "from -1e+15 to 1e+15"},
     {"TextInTexcoord", "vt a b\n", 1, "not a number"},
     {"VerticalTab", "v 0 0\v0\n", 1, "not a number"},
-    {"TwoCorners", kTriangle + "f 1 2\n", 4, "2 corners, allowed are 3 or more"},
+    {"TwoCorners", kTriangle + "f 1 2\n", 4, "2 corners, allowed are 3 to 16384"},
+    {"TooManyCorners", kTriangle + faceOfOneVertex(16385), 4, "16385 corners, allowed are 3 to 16384"},
     {"TwoCornersAndComment", kTriangle + "f 1 2 # 3\n", 4, "2 corners"},
     {"VertexZero", kTriangle + "f 0 1 2\n", 4, "index 0"},
     {"TexcoordZero", kTriangle + "vt 0 0\nf 1/1 2/0 3/1\n", 5, "index 0"},

@@ -199,6 +199,19 @@ void checkOutput(const std::string& output) {
                                     kImageFormatNames + " and .film, or - for PPM to stdout");
 }
 
+// Two files of one name would replace one another.
+void checkNames(const Options& options) {
+  const std::pair<std::string, std::filesystem::path> files[] = {
+      {"--output", options.output}, {"--json", options.json}, {"--checkpoint", options.checkpoint}};
+  for (const auto& [name, file] : files) {
+    for (const auto& [otherName, other] : files) {
+      if (name == otherName || file.empty() || file.lexically_normal() != other.lexically_normal()) continue;
+      throw Error(ExitCode::kUsage, name + " and " + otherName + " are both " + file.string() +
+                                        "; give them files of their own");
+    }
+  }
+}
+
 void checkFilms(const Options& options) {
   const bool hasFilm = writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
   if (hasFilm && options.view != View::kColor) {
@@ -259,6 +272,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   checkOutput(options.output);
   checkSampleRange(options);
   checkFilms(options);
+  checkNames(options);
   if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};
   return options;
 }

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "core/limits.hpp"
 #include "core/numbers.hpp"
 #include "core/text_file.hpp"
 
@@ -76,8 +77,9 @@ ObjLine checkObjLine(std::string_view line, const Place& place) {
       checkCorner(word, place);
       ++result.count;
     }
-    if (result.count < 3) {
-      failAt(place, "a face of " + std::to_string(result.count) + " corners, allowed are 3 or more");
+    if (result.count < 3 || result.count > kMaxFaceCorners) {
+      failAt(place, "a face of " + std::to_string(result.count) + " corners, allowed are 3 to " +
+                        std::to_string(kMaxFaceCorners));
     }
   }
   return result;
