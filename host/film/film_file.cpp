@@ -124,6 +124,7 @@ FilmWriter::FilmWriter(std::FILE* stream, const FilmHeader& header)
 FilmWriter::~FilmWriter() = default;
 
 void FilmWriter::write(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;  // of which the address may be null, which fwrite does not take
   checksum_->add(bytes);
   std::fwrite(bytes.data(), 1, bytes.size(), stream_);
 }
@@ -154,6 +155,7 @@ void FilmReader::fail(const std::string& why) const {
 }
 
 void FilmReader::readAt(std::uint64_t position, std::span<std::byte> bytes) {
+  if (bytes.empty()) return;
   if (fseeko(stream_, static_cast<off_t>(position), SEEK_SET) != 0 ||
       std::fread(bytes.data(), 1, bytes.size(), stream_) != bytes.size()) {
     fail("the film ends early or cannot be read");
