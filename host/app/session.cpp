@@ -124,8 +124,8 @@ ExitCode Session::renderAndWrite() {
   if (!changed_.empty()) return ExitCode::kSuccess;  // The picture is of the past already.
 
   checkpoint.save(render);
-  writeOutputs(render, settings, part, identity, outputs);
   if (window_) showInWindow(render, true);
+  writeOutputs(render, settings, part, identity, outputs);
   if (render.statistics().stopReason == StopReason::kInterrupted) {
     const std::string name = options_.output == "-" ? "stdout" : options_.output;
     const int percent = static_cast<int>(100.0 * render.shareDone());
@@ -136,18 +136,18 @@ ExitCode Session::renderAndWrite() {
   return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
 }
 
-void Session::writeOutputs(const Render& render, const RenderSettings& settings, const Rectangle& part,
+void Session::writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
                            const Identity& identity, Outputs& outputs) {
   const vulkan::Device& device = device_.get().device;
   const RenderStatistics statistics = render.statistics();
   if (outputs.hasFilm()) {
     outputs.writeFilm(render, identity);
   } else {
-    Image image = render.image();
+    Image image = render.takeImage();
     if (options_.normalize) normalize(image);
+    if (needsWhole(options_)) image = crop(image, part);
     outputs.writePicture(
-        needsWhole(options_) ? crop(image, part) : image,
-        describeOrigin(options_, settings, statistics, device.description().name, times_.seconds()));
+        image, describeOrigin(options_, settings, statistics, device.description().name, times_.seconds()));
   }
   times_.endStep("write image");
   if (options_.stats) {

@@ -40,7 +40,7 @@ class Session {
   void showUntilClosed();
 
   ExitCode renderAndWrite();
-  void writeOutputs(const Render& render, const RenderSettings& settings, const Rectangle& part,
+  void writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
                     const Identity& identity, Outputs& outputs);
   void openWindow(const ImageSize& size);
   bool proceed(const Render& render);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/sampling.hpp"
@@ -11,15 +13,20 @@ namespace lavaray {
 // One sample in each pixel's centre.
 class CenterSampling : public Sampling {
  public:
-  CenterSampling(std::uint64_t pixels, View view) : view_(view), values_(pixels) {}
+  CenterSampling(std::uint64_t pixels, View view) : Sampling(pixels), view_(view), values_(3 * pixels) {}
 
   [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override {
     return {static_cast<gpu::uint>(index), 0, 0, 1};
   }
-  [[nodiscard]] glm::vec3 value(std::uint64_t pixel) const override { return values_[pixel]; }
+  void copyValues(std::span<glm::vec3> values) const override {
+    std::copy(values_.begin(), values_.end(), &values.front().x);
+  }
+  // An image has some ten megabytes, and copying them takes as long as tracing some scenes.
+  std::vector<float> takeValues() override { return std::move(values_); }
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return pixel < done_ ? 1 : 0; }
+  [[nodiscard]] std::uint32_t mostSamples() const override { return 1; }
   [[nodiscard]] double shareDone() const override {
-    return static_cast<double>(done_) / static_cast<double>(values_.size());
+    return static_cast<double>(done_) / static_cast<double>(pixels());
   }
 
   void describe(FilmHeader& header) const override {
@@ -30,19 +37,20 @@ class CenterSampling : public Sampling {
   void read(FilmReader& film) override {
     film.readPixels(std::as_writable_bytes(std::span(values_)));
     done_ = film.header().itemsDone;
-    goOnAt(done_, values_.size());
+    goOnAt(done_, pixels());
   }
 
  private:
-  std::uint64_t planPass() override { return values_.size() - done_; }
+  std::uint64_t planPass() override { return pixels() - done_; }
   void take(std::uint64_t index, const gpu::WorkResult& result) override {
-    values_[index] =
+    const glm::vec3 value =
         isMeasure(view_) ? glm::vec3(static_cast<float>(measure(view_, result.sum))) : result.sum;
+    std::copy_n(&value.x, 3, &values_[3 * index]);
     ++done_;
   }
 
   View view_;
-  std::vector<glm::vec3> values_;
+  std::vector<float> values_;  // three a pixel
   std::uint64_t done_ = 0;
 };
 

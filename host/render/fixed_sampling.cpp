@@ -17,7 +17,7 @@ std::uint32_t itemsFor(std::uint32_t samples) {
 }  // namespace
 
 FixedSampling::FixedSampling(std::uint64_t pixels, SampleRange range, View view)
-    : range_(range), view_(view), roundFirst_(range.first), sums_(pixels) {
+    : Sampling(pixels), range_(range), view_(view), roundFirst_(range.first), sums_(pixels) {
   if (isMeasure(view)) measured_.resize(pixels);
 }
 
@@ -68,9 +68,17 @@ void FixedSampling::take(std::uint64_t index, const gpu::WorkResult& result) {
   sums_[done.pixel].add(measured_.empty() ? result.sum : glm::vec3(0.0F), done.count);
 }
 
-glm::vec3 FixedSampling::value(std::uint64_t pixel) const {
-  if (measured_.empty()) return sums_[pixel].mean();
-  return glm::vec3(static_cast<float>(measure(view_, measured_[pixel])));
+void FixedSampling::copyValues(std::span<glm::vec3> values) const {
+  for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
+    values[pixel] = measured_.empty() ? glm::vec3(sums_[pixel].mean())
+                                      : glm::vec3(static_cast<float>(measure(view_, measured_[pixel])));
+  }
+}
+
+std::uint32_t FixedSampling::mostSamples() const {
+  std::uint32_t most = 0;
+  for (const PixelSum& sum : sums_) most = std::max(most, sum.samples());
+  return most;
 }
 
 double FixedSampling::shareDone() const {

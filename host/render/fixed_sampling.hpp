@@ -17,8 +17,9 @@ class FixedSampling : public Sampling {
   static std::uint64_t mostItems(std::uint64_t pixels, SampleRange range);
 
   [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override;
-  [[nodiscard]] glm::vec3 value(std::uint64_t pixel) const override;
+  void copyValues(std::span<glm::vec3> values) const override;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return sums_[pixel].samples(); }
+  [[nodiscard]] std::uint32_t mostSamples() const override;
   [[nodiscard]] double shareDone() const override;
 
   void describe(FilmHeader& header) const override;

@@ -129,13 +129,21 @@ double Render::estimatedError() const {
 }
 
 Image Render::image() const {
+  const std::uint64_t pixels = pixelsOf(settings_.crop);
+  std::vector<float> values(3 * pixels);
+  if (isTraced()) copyShown({reinterpret_cast<glm::vec3*>(values.data()), pixels});
+  return wholeImage(std::move(values));
+}
+
+Image Render::takeImage() {
+  const bool showsOther = settings_.view == View::kSamples || settings_.view == View::kError;
+  return isTraced() && !showsOther ? wholeImage(sampling_->takeValues()) : image();
+}
+
+// The picture that is asked for, of the values of its traced part.
+Image Render::wholeImage(std::vector<float> values) const {
   const Rectangle& part = settings_.crop;
-  Image traced{part.x1 - part.x0, part.y1 - part.y0, std::vector<float>(3 * pixelsOf(part))};
-  const std::uint32_t most = settings_.view == View::kSamples ? mostSamples() : 1;
-  for (std::uint64_t pixel = 0; pixel < pixelsOf(part); ++pixel) {
-    const glm::vec3 color = shown(pixel, most);
-    for (int channel = 0; channel < 3; ++channel) traced.rgb[3 * pixel + channel] = color[channel];
-  }
+  Image traced{part.x1 - part.x0, part.y1 - part.y0, std::move(values)};
   if (isMeasure(settings_.view)) normalize(traced);
   Image whole{crop_.x1 - crop_.x0, crop_.y1 - crop_.y0, {}};
   if (whole.width == traced.width && whole.height == traced.height) return traced;
@@ -148,9 +156,9 @@ RenderStatistics Render::statistics() const {
   RenderStatistics result;
   result.stopReason = stopReason_;
   result.skippedPixels = pixelsOf(crop_) - pixelsOf(settings_.crop);
-  result.mostSamples = mostSamples();
   result.samplesPerPixel = samplesPerPixel();
   if (!isTraced()) return result;
+  result.mostSamples = std::max(sampling_->mostSamples(), 1U);
   result.estimatedError = sampling_->estimatedError();
   result.counts = tracer_->counts();
   result.deviceBytes = tracer_->deviceBytes();
@@ -175,24 +183,19 @@ void Render::writeFilm(std::FILE* stream, const Identity& identity) const {
   film.finish();
 }
 
-std::uint32_t Render::mostSamples() const {
-  std::uint32_t most = 1;
-  if (!isTraced()) return most;
-  for (std::uint64_t pixel = 0; pixel < pixelsOf(settings_.crop); ++pixel) {
-    most = std::max(most, sampling_->samples(pixel));
-  }
-  return most;
-}
-
-// What the view shows of a pixel, where `most` is the largest number of samples of one.
-glm::vec3 Render::shown(std::uint64_t pixel, std::uint32_t most) const {
-  switch (settings_.view) {
-    case View::kSamples:
-      return glm::vec3(static_cast<float>(sampling_->samples(pixel)) / static_cast<float>(most));
-    case View::kError:
-      return glm::vec3(static_cast<float>(std::min(1.0, sampling_->estimatedError(pixel))));
-    default:
-      return sampling_->value(pixel);
+// What the view shows of each pixel.
+void Render::copyShown(std::span<glm::vec3> values) const {
+  if (settings_.view == View::kSamples) {
+    const auto most = static_cast<float>(std::max(sampling_->mostSamples(), 1U));
+    for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
+      values[pixel] = glm::vec3(static_cast<float>(sampling_->samples(pixel)) / most);
+    }
+  } else if (settings_.view == View::kError) {
+    for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
+      values[pixel] = glm::vec3(static_cast<float>(std::min(1.0, sampling_->estimatedError(pixel))));
+    }
+  } else {
+    sampling_->copyValues(values);
   }
 }
 
@@ -200,7 +203,7 @@ RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera&
                     const RenderSettings& settings) {
   Render render(device, scene, camera, settings);
   render.run([] { return true; });
-  return {render.statistics(), render.image()};
+  return {render.statistics(), render.takeImage()};
 }
 
 }  // namespace lavaray

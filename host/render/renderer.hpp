@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/flatten.hpp"
 #include "film/film_file.hpp"
@@ -62,6 +63,8 @@ class Render {
   [[nodiscard]] double samplesPerPixel() const;  // in the mean, those of a film included
   [[nodiscard]] double estimatedError() const;   // RMSE, where there is a target, else 0
   [[nodiscard]] Image image() const;             // as far as it is known; black where no sample was taken
+  // The same at the end, without a copy: image() must not be called after it.
+  Image takeImage();
   [[nodiscard]] RenderStatistics statistics() const;
 
   // Writes all there is, to go on from; the view is the colour.
@@ -71,8 +74,8 @@ class Render {
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] bool isTraced() const { return sampling_ != nullptr; }
   [[nodiscard]] std::optional<StopReason> reasonToStop(const Proceed& proceed) const;
-  [[nodiscard]] std::uint32_t mostSamples() const;
-  [[nodiscard]] glm::vec3 shown(std::uint64_t pixel, std::uint32_t most) const;
+  void copyShown(std::span<glm::vec3> values) const;
+  [[nodiscard]] Image wholeImage(std::vector<float> values) const;
 
   const vulkan::Device& device_;
   Rectangle crop_;                      // of the picture that is asked for

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -13,7 +15,7 @@ namespace lavaray {
 // items, and a pass's items are traced in their order, in any division.
 class Sampling {
  public:
-  Sampling() = default;
+  explicit Sampling(std::uint64_t pixels) : pixels_(pixels) {}
   virtual ~Sampling() = default;
   Sampling(const Sampling&) = delete;
   Sampling& operator=(const Sampling&) = delete;
@@ -26,9 +28,13 @@ class Sampling {
   // The result of item(itemsDone()).
   void add(const gpu::WorkResult& result);
 
-  // By pixel of the image, row by row. Where there is no sample yet, the value is black.
-  [[nodiscard]] virtual glm::vec3 value(std::uint64_t pixel) const = 0;
+  // The values of all pixels, row by row; black where there is no sample yet.
+  virtual void copyValues(std::span<glm::vec3> values) const = 0;
+  // The same, three floats each, at the end: they may be gone afterwards.
+  virtual std::vector<float> takeValues();
+  [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
   [[nodiscard]] virtual std::uint32_t samples(std::uint64_t pixel) const = 0;
+  [[nodiscard]] virtual std::uint32_t mostSamples() const = 0;  // of a pixel
   // In units of a colour; 0 where it is not estimated, as one sequence of samples does not tell its error.
   [[nodiscard]] virtual double estimatedError(std::uint64_t /*pixel*/) const { return 0.0; }
   [[nodiscard]] virtual double estimatedError() const { return 0.0; }  // RMSE of the image
@@ -54,9 +60,16 @@ class Sampling {
   virtual std::uint64_t planPass() = 0;  // returns the number of its items
   virtual void take(std::uint64_t index, const gpu::WorkResult& result) = 0;
 
+  std::uint64_t pixels_;
   std::uint64_t passItems_ = 0;
   std::uint64_t itemsDone_ = 0;
 };
+
+inline std::vector<float> Sampling::takeValues() {
+  std::vector<float> values(3 * pixels_);
+  copyValues({reinterpret_cast<glm::vec3*>(values.data()), pixels_});
+  return values;
+}
 
 inline bool Sampling::startPass() {
   passItems_ = planPass();

@@ -15,6 +15,17 @@ void TargetSampling::take(std::uint64_t index, const gpu::WorkResult& result) {
   taken_ += items_[index].count;
 }
 
+void TargetSampling::copyValues(std::span<glm::vec3> values) const {
+  for (std::size_t pixel = 0; pixel < values.size(); ++pixel) values[pixel] = plan_.mean(pixel);
+}
+
+std::uint32_t TargetSampling::mostSamples() const {
+  std::uint32_t most = 0;
+  for (std::size_t pixel = 0; pixel < plan_.pixels().size(); ++pixel)
+    most = std::max(most, plan_.samples(pixel));
+  return most;
+}
+
 double TargetSampling::shareDone() const {
   return std::min(1.0, static_cast<double>(taken_) / plan_.plannedSamples());
 }

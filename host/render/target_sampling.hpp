@@ -10,11 +10,12 @@ namespace lavaray {
 // Samples by the plan of AdaptiveSampling until the image's estimated error is the target.
 class TargetSampling : public Sampling {
  public:
-  explicit TargetSampling(AdaptiveSampling plan) : plan_(std::move(plan)) {}
+  explicit TargetSampling(AdaptiveSampling plan) : Sampling(plan.pixels().size()), plan_(std::move(plan)) {}
 
   [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override { return items_[index]; }
-  [[nodiscard]] glm::vec3 value(std::uint64_t pixel) const override { return plan_.mean(pixel); }
+  void copyValues(std::span<glm::vec3> values) const override;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return plan_.samples(pixel); }
+  [[nodiscard]] std::uint32_t mostSamples() const override;
   [[nodiscard]] double estimatedError(std::uint64_t pixel) const override {
     return plan_.estimatedError(pixel);
   }
