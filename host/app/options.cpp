@@ -17,7 +17,7 @@
 namespace lavaray {
 namespace {
 
-void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
+void addRenderOptions(CLI::App& app, Options& options) {
   app.add_option(
          "-o,--output", options.output,
          "Image to write; its ending says the format: .bmp, .png or .ppm (8 bits a channel), .pfm "
@@ -32,11 +32,7 @@ void addRenderOptions(CLI::App& app, Options& options, std::vector<int>& crop) {
                  "Height in pixels of the same view; without --width by its aspect")
       ->type_name("H")
       ->check(side);
-  app.add_option("--crop", crop, "Render only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top")
-      ->type_name("X0,Y0,X1,Y1")
-      ->delimiter(',')
-      ->expected(4)
-      ->check(integerFrom(0, kMaxImageSide));
+  addCropOption(app, options.crop, "Render only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top");
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
 }
 
@@ -236,28 +232,20 @@ void checkFilms(const Options& options) {
 
 std::optional<Options> parseOptions(int argc, const char* const* argv) {
   Options options;
-  std::vector<int> crop;
   CLI::App app("Renders a scene file with Vulkan.", "lavaray");
   app.set_version_flag("--version", std::string("lavaray ") + kVersion);
   app.footer(
-      "Exit codes: 0 fine, 1 internal error, 2 usage, 3 scene or mesh, 4 no usable device,\n"
-      "5 output not written, 130 interrupted.");
+      "Exit codes: 0 fine, 1 internal error, 2 usage, 3 scene, mesh, shader or film, 4 no usable device,\n"
+      "5 output not written or no screen for --display, 130 interrupted.");
   app.add_option("SCENE", options.scene, "Scene file to render");
-  addRenderOptions(app, options, crop);
+  addRenderOptions(app, options);
   addSamplingOptions(app, options);
   addViewOption(app, options);
   addSceneOptions(app, options);
   addFilmOptions(app, options);
   addInteractiveOptions(app, options);
   addOtherOptions(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // help or version
-    app.exit(success, std::cout, std::cerr);
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw usageError(error, "lavaray");
-  }
+  if (!parseCommandLine(app, argc, argv)) return std::nullopt;
   if (options.listDevices) return options;
   if (options.scene.empty())
     throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
@@ -273,7 +261,6 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   checkSampleRange(options);
   checkFilms(options);
   checkNames(options);
-  if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};
   return options;
 }
 
@@ -304,18 +291,6 @@ ImageSize outputSize(const Options& options, const ImageSize& cameraSize) {
                                       std::to_string(kMaxImageSide));
   }
   return size;
-}
-
-Rectangle outputCrop(const Options& options, const ImageSize& size) {
-  const Rectangle crop = options.crop.value_or(Rectangle{0, 0, size.width, size.height});
-  const bool inside = crop.x0 >= 0 && crop.x0 < crop.x1 && crop.x1 <= size.width &&  //
-                      crop.y0 >= 0 && crop.y0 < crop.y1 && crop.y1 <= size.height;
-  if (!inside) {
-    throw Error(ExitCode::kUsage,
-                "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
-                    " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
-  }
-  return crop;
 }
 
 }  // namespace lavaray

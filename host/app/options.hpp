@@ -52,15 +52,12 @@ struct Options {
 std::optional<Options> parseOptions(int argc, const char* const* argv);
 
 // The size of the image: the camera's, or the one asked for, where a missing side keeps the camera's aspect.
-// Throws Error(kUsage) where a side or the crop is out of range.
+// Throws Error(kUsage) where a side is out of range.
 ImageSize outputSize(const Options& options, const ImageSize& cameraSize);
 
 bool writesFilm(const Options& options);  // in place of a picture
 
 // Gives materials and lights that say nothing of it the reflectance and the radius that the options ask for.
 void applyDefaults(const Options& options, Scene& scene);
-
-// The part of an image of `size` to render. Throws Error(kUsage) where it is not inside.
-Rectangle outputCrop(const Options& options, const ImageSize& size);
 
 }  // namespace lavaray

@@ -11,6 +11,7 @@
 #include "app/interrupt.hpp"
 #include "app/json_report.hpp"
 #include "app/origin.hpp"
+#include "app/usage.hpp"
 
 namespace lavaray {
 namespace {
@@ -92,7 +93,7 @@ ExitCode Session::renderAndWrite() {
   catchInterrupts();  // Now, as there is a file from here on that must not stay behind.
   const Scene& scene = inputs_.scene();
   const ImageSize size = outputSize(options_, imageSize(scene.camera).value());
-  const Rectangle part = outputCrop(options_, size);
+  const Rectangle part = cropWithin(options_.crop, size);
   RenderSettings settings = renderSettings(options_, size, part);
   settings.shader = inputs_.shader();
   Outputs outputs(options_);

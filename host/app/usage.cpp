@@ -1,11 +1,15 @@
 #include "app/usage.hpp"
 
 #include <charconv>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
+#include "core/errors.hpp"
+#include "core/limits.hpp"
 #include "core/numbers.hpp"
 #include "core/place.hpp"
 
@@ -72,8 +76,38 @@ CLI::Validator integerFrom(std::int64_t least) {
                 std::to_string(least) + " or more");
 }
 
-Error usageError(const CLI::ParseError& error, const std::string& program) {
-  return {ExitCode::kUsage, explained(error) + "; " + program + " --help lists the options"};
+bool parseCommandLine(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+    return true;
+  } catch (const CLI::Success& success) {
+    app.exit(success, std::cout, std::cerr);
+    return false;
+  } catch (const CLI::ParseError& error) {
+    throw Error(ExitCode::kUsage, explained(error) + "; " + app.get_name() + " --help lists the options");
+  }
+}
+
+void addCropOption(CLI::App& app, std::optional<Rectangle>& crop, const std::string& description) {
+  app.add_option_function<std::vector<int>>(
+         "--crop",
+         [&crop](const std::vector<int>& c) {
+           crop = Rectangle{c[0], c[1], c[2], c[3]};
+         },
+         description)
+      ->type_name("X0,Y0,X1,Y1")
+      ->delimiter(',')
+      ->expected(4)
+      ->check(integerFrom(0, kMaxImageSide));
+}
+
+Rectangle cropWithin(const std::optional<Rectangle>& crop, const ImageSize& size) {
+  const Rectangle part = crop.value_or(Rectangle{0, 0, size.width, size.height});
+  const bool inside = part.x0 >= 0 && part.x0 < part.x1 && part.x1 <= size.width &&  //
+                      part.y0 >= 0 && part.y0 < part.y1 && part.y1 <= size.height;
+  if (inside) return part;
+  throw Error(ExitCode::kUsage, "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
+                                    " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
 }
 
 }  // namespace lavaray

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.hpp"
+#include "core/camera.hpp"
+#include "image/image.hpp"
 
 namespace lavaray {
 
@@ -17,7 +19,13 @@ CLI::Validator numberFrom(double least);
 CLI::Validator integerFrom(std::int64_t least, std::int64_t most);
 CLI::Validator integerFrom(std::int64_t least);
 
-// What is wrong with a command line, in the words that the programs use.
-Error usageError(const CLI::ParseError& error, const std::string& program);
+// Parses the command line. False where it asked for help or the version, which are printed then. Throws
+// Error(kUsage).
+bool parseCommandLine(CLI::App& app, int argc, const char* const* argv);
+
+// The option --crop; `description` is its help.
+void addCropOption(CLI::App& app, std::optional<Rectangle>& crop, const std::string& description);
+// The crop, or all of an image of `size` where there is none. Throws Error(kUsage) where it is not inside.
+Rectangle cropWithin(const std::optional<Rectangle>& crop, const ImageSize& size);
 
 }  // namespace lavaray

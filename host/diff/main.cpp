@@ -62,14 +62,7 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
        {"REFERENCE", "--tolerance", "--max-differing", "--max-rmse", "--max-flip", "--output"}) {
     info->excludes(app.get_option(other));
   }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    app.exit(success, std::cout, std::cerr);
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw usageError(error, "lavaray-diff");
-  }
+  if (!parseCommandLine(app, argc, argv)) return std::nullopt;
   if (options.reference.empty() && !options.info) {
     throw Error(ExitCode::kUsage, "REFERENCE is missing; lavaray-diff --help lists the options");
   }

@@ -30,7 +30,6 @@ struct MergeOptions {
 
 std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv) {
   MergeOptions options;
-  std::vector<int> crop;
   CLI::App app("Merges the parts of a picture that lavaray rendered with --output PART.film.",
                "lavaray-merge");
   app.set_version_flag("--version", std::string("lavaray-merge ") + kVersion);
@@ -42,21 +41,10 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
                             ->type_name("FILE");
   app.add_flag("--check", options.check, "Say of each part whether it is whole and complete; merge nothing")
       ->excludes(output);
-  app.add_option("--crop", crop, "Only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top")
-      ->type_name("X0,Y0,X1,Y1")
-      ->delimiter(',')
-      ->expected(4)
-      ->check(integerFrom(0, kMaxImageSide));
+  addCropOption(app, options.crop, "Only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top");
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
   app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    app.exit(success, std::cout, std::cerr);
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw usageError(error, "lavaray-merge");
-  }
+  if (!parseCommandLine(app, argc, argv)) return std::nullopt;
   if (!options.check && options.output.empty()) {
     throw Error(ExitCode::kUsage, "--output is missing; lavaray-merge --help lists the options");
   }
@@ -64,7 +52,6 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
     throw Error(ExitCode::kUsage, "--output " + options.output +
                                       ": its ending says no image format; allowed are " + kImageFormatNames);
   }
-  if (!crop.empty()) options.crop = Rectangle{crop[0], crop[1], crop[2], crop[3]};
   return options;
 }
 
@@ -74,15 +61,6 @@ void allowManyFiles() {
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
   setrlimit(RLIMIT_NOFILE, &limit);
-}
-
-Rectangle areaToMerge(const MergeOptions& options, const ImageSize& size) {
-  const Rectangle area = options.crop.value_or(Rectangle{0, 0, size.width, size.height});
-  const bool inside = area.x0 >= 0 && area.x0 < area.x1 && area.x1 <= size.width &&  //
-                      area.y0 >= 0 && area.y0 < area.y1 && area.y1 <= size.height;
-  if (inside) return area;
-  throw Error(ExitCode::kUsage, "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
-                                    " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
 }
 
 float largestValue(Merge& merge, const Rectangle& area, std::vector<float>& row) {
@@ -116,7 +94,7 @@ ExitCode mergeParts(const MergeOptions& options) {
   Progress progress(progressStyle(options.quiet));
   progress.begin("verifying the parts");
   Merge merge(options.parts);
-  const Rectangle area = areaToMerge(options, merge.size());
+  const Rectangle area = cropWithin(options.crop, merge.size());
   merge.checkCoverage(area);
   progress.end();
   for (const std::string& warning : merge.warnings()) std::cerr << "warning: " << warning << '\n';
