@@ -15,7 +15,7 @@ uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 
   vec3 color = material.ambient + (kHasMirrors ? material.reflectance : vec3(0.0));
   uint i = 0u;
   for (; i < kLightCount; ++i) {
-    const Light light = lights[i];
+    const Light light = fetchLight(i);
     color += phong(material, light, point.shadingNormal, unit(light.position - point.position), toViewer);
   }
   // Not i < kLightCount: that is the loop's own condition, which compilers take to be false after it.
@@ -68,7 +68,7 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
   for (; state.step <= kLightCount; ++state.step) {
     if (kResumable && counts.shadow >= kMaxShadowRaysPerDispatch) return false;
     const uint i = state.step - 1u;
-    const Light light = lights[i];
+    const Light light = fetchLight(i);
     const uint use = 1u + state.bounce * kLightCount + i;
     const uint seed = hashCombine(settings.seed, use);
     vec3 term;

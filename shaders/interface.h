@@ -30,6 +30,10 @@ const uint kWorkGroupSize = 64u;
 const uint kMaxBvhDepth = 32u;
 const uint kMaxLeafSize = 8u;
 
+// A scene of at most so many primitives is one leaf, spheres first, and its rays test each of them: beyond that a
+// traversal is faster (tools/bench_speed/traversal.md).
+const uint kMaxFewPrimitives = 8u;
+
 // A node reference: an inner node's index, or the leaf's primitives as count << kLeafShift | first.
 const uint kLeafShift = 28u;
 const uint kMaxReference = (1u << kLeafShift) - 1u;
@@ -56,7 +60,7 @@ const float kMinReflectance = 1e-4f;
 
 // Bindings of descriptor set 0. Those below kTexelBindings are read through texel buffer views, four 32-bit words a
 // texel (see scene_data.glsl); the others are storage buffers.
-const uint kTexelBindings = 4u;
+const uint kTexelBindings = 7u;
 const uint kBindingNodes = 0u;
 const uint kBindingPrimitives = 1u;
 const uint kBindingTrianglePlanes = 2u;
@@ -84,7 +88,9 @@ const uint kSpecResumable = 8u;
 const uint kSpecCountRays = 9u;
 const uint kSpecStackSize = 10u;
 const uint kSpecView = 11u;
-const uint kSpecCount = 12u;
+const uint kSpecFewSpheres = 12u;  // of a scene of few primitives, as the next one
+const uint kSpecFewTriangles = 13u;
+const uint kSpecCount = 14u;
 
 // A WorkResult's squares where there is none yet.
 const float kUnfinished = -1.0f;
@@ -165,6 +171,7 @@ struct Plane {
   uint padding2;
 };
 LAVARAY_SIZE(Plane, 32);
+const uint kTexelsPerPlane = 2u;
 
 struct Light {
   vec3 position;
@@ -177,6 +184,7 @@ struct Light {
   float padding3;
 };
 LAVARAY_SIZE(Light, 64);
+const uint kTexelsPerLight = 4u;
 
 struct Material {
   vec3 ambient;
@@ -189,6 +197,7 @@ struct Material {
   float padding2;
 };
 LAVARAY_SIZE(Material, 64);
+const uint kTexelsPerMaterial = 4u;
 
 // Some samples of one pixel: `count` of them from number `first` on, in the pixel's sequence number `sequence`.
 struct WorkItem {

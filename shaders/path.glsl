@@ -28,7 +28,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
     state.color = viewedSurface(segment.ray, hit, point);
     return true;
   }
-  const Material material = materials[hit.object];
+  const Material material = fetchMaterial(hit.object);
   if (!kResumable || bounce == state.bounce) {
     if (!addIllumination(segment.ray, hit.surface, point, material, segment.weight, settings, state, counts)) {
       return false;

@@ -2,7 +2,7 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-#include "traverse.glsl"
+#include "find_hit.glsl"
 
 struct SurfacePoint {
   vec3 position;
@@ -63,7 +63,7 @@ SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direc
 SurfacePoint surfacePoint(Ray ray, Hit hit) {
   const vec3 near = ray.origin + hit.t * ray.direction;
   if (kPlaneCount > 0u && (hit.surface & kPlaneBit) != 0u) {
-    const Plane plane = planes[hit.surface & ~kPlaneBit];
+    const Plane plane = fetchPlane(hit.surface & ~kPlaneBit);
     return pointOnPlane(near, plane.normal, plane.distance, ray.direction);
   }
   const Primitive primitive = fetchPrimitive(hit.surface);

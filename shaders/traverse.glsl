@@ -1,39 +1,11 @@
-// What a ray hits: the BVH's primitives, then the planes.
+// The BVH's traversal.
 #ifndef TRAVERSE_GLSL
 #define TRAVERSE_GLSL
 
+#include "hit.glsl"
 #include "node.glsl"
 
-// A surface is a primitive's index or a plane's with kPlaneBit.
-const uint kPlaneBit = 0x80000000u;
-const uint kNoSurface = 0xFFFFFFFFu;
 const uint kNoReference = 0xFFFFFFFFu;  // of a node or a leaf
-
-struct Hit {
-  float t;       // in lengths of the ray's direction
-  uint surface;  // or kNoSurface
-  uint object;
-  uint order;    // of a primitive, see there
-  vec3 weights;  // of a triangle: barycentric coordinates
-};
-
-Hit missUpTo(float tMax) { return Hit(tMax, kNoSurface, 0u, 0u, vec3(0.0)); }
-
-// Tests one primitive and keeps it if it is nearer than `hit` or, at the same distance, stands before it in
-// the scene file: so the picture does not depend on the order of traversal.
-void hitPrimitive(Ray ray, RayConstants constants, uint index, inout Hit hit) {
-  const Primitive primitive = fetchPrimitive(index);
-  vec3 weights = vec3(0.0);
-  float t = kInfinity;
-  if (kHasSpheres && (!kHasTriangles || primitive.kind == kSphere)) {
-    t = intersectSphere(ray, primitive.a, primitive.b.x);
-  } else if (kHasTriangles) {
-    t = intersectTriangle(ray, constants, primitive.a, primitive.b, primitive.c, weights);
-  }
-  if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && primitive.order < hit.order)) {
-    hit = Hit(t, index, primitive.object, primitive.order, weights);
-  }
-}
 
 // Finds the first primitive that the ray hits before hit.t, or any one of them if `anyHit`; not the one named
 // `skipped`. Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
@@ -85,23 +57,6 @@ bool traverse(const bool anyHit, Ray ray, uint skipped, inout Hit hit) {
     over = over || (anyHit && hit.surface != kNoSurface);
   } while (!over);
   return over;
-}
-
-// The same for the scene as a whole. A plane is an object of its own, so it is compared by object.
-bool findHit(const bool anyHit, Ray ray, uint skipped, inout Hit hit) {
-  if (kHasSpheres || kHasTriangles) {
-    if (!traverse(anyHit, ray, skipped, hit)) return false;
-  }
-  uint i = 0u;
-  for (; i < kPlaneCount && !(anyHit && hit.surface != kNoSurface); ++i) {
-    if ((i | kPlaneBit) == skipped) continue;
-    const Plane plane = planes[i];
-    const float t = intersectPlane(ray, plane.normal, plane.distance);
-    if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && plane.object < hit.object)) {
-      hit = Hit(t, i | kPlaneBit, plane.object, 0u, vec3(0.0));
-    }
-  }
-  return i == kPlaneCount || (anyHit && hit.surface != kNoSurface);
 }
 
 #endif

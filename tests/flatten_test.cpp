@@ -32,6 +32,33 @@ TEST(Flatten, PutsALeafBelowTheFirstNodeForASinglePrimitive) {
   EXPECT_TRUE(flat.trianglePlanes.empty());
 }
 
+// Triangle, sphere, triangle, sphere in the file.
+TEST(Flatten, MakesOneLeafOfFewPrimitivesWithTheSpheresFirst) {
+  Scene scene = sceneWithMaterials(gpu::kMaxFewPrimitives + 1);
+  const glm::dvec3 away(0, 0, -5);
+  scene.triangles = {{{{{0, 0, -3}, {1, 0, -3}, {0, 1, -3}}}, 0},
+                     {{{{0, 0, -4}, {0, 1, -4}, {0, 0, -9}}}, 2}};
+  scene.spheres = {{away, 1.0, 1}, {away, 2.0, 3}};
+  GpuScene flat = flatten(scene, 1);
+  EXPECT_TRUE(flat.hasFewPrimitives);
+  ASSERT_EQ(flat.nodes.size(), 1U);
+  EXPECT_EQ(flat.nodes[0].children, glm::uvec4(4U << gpu::kLeafShift, 0, 0, 0));
+  std::vector<std::uint32_t> orders;
+  for (const gpu::Primitive& primitive : flat.primitives) orders.push_back(primitive.order);
+  EXPECT_EQ(orders, (std::vector<std::uint32_t>{1, 3, 0, 2}));
+  EXPECT_EQ(std::abs(flat.trianglePlanes[2].normal.z), 1.0F);
+  EXPECT_EQ(std::abs(flat.trianglePlanes[3].normal.x), 1.0F);
+
+  for (std::uint32_t object = 4; scene.spheres.size() < gpu::kMaxFewPrimitives - 2; ++object)
+    scene.spheres.push_back({away, 1.0, object});
+  EXPECT_TRUE(flatten(scene, 1).hasFewPrimitives);
+  scene.spheres.push_back({away, 1.0, gpu::kMaxFewPrimitives});
+  flat = flatten(scene, 1);
+  EXPECT_FALSE(flat.hasFewPrimitives);
+  EXPECT_EQ(flat.bvhQuality.leafSize * static_cast<double>(flat.bvhQuality.leaves),
+            gpu::kMaxFewPrimitives + 1.0);
+}
+
 // Camera and scene are 1e8 away from the origin, where a float32 has a spacing of 8.
 TEST(Flatten, SubtractsTheCameraInDoublePrecision) {
   const glm::dvec3 far(1e8, -1e8, 1e8);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderFewPrimitivesSpirv.spv.h"
 #include "renderSpirv.spv.h"
 #include "shader_folder.hpp"
 
@@ -36,8 +37,10 @@ std::set<std::string> shaderFiles() {
 }
 
 TEST(ShaderCompiler, MakesTheWordsThatTheBuildMakes) {
-  const CompiledShader shader = compileRenderShader(LAVARAY_SHADERS_DIR);
+  const CompiledShader shader = compileRenderShader(LAVARAY_SHADERS_DIR, false);
   EXPECT_TRUE(std::ranges::equal(shader.spirv, renderSpirv));
+  EXPECT_TRUE(
+      std::ranges::equal(compileRenderShader(LAVARAY_SHADERS_DIR, true).spirv, renderFewPrimitivesSpirv));
   EXPECT_EQ(names(shader.files, LAVARAY_SHADERS_DIR), shaderFiles());
   EXPECT_TRUE(shader.warnings.empty()) << shader.warnings[0];
 }
@@ -45,7 +48,7 @@ TEST(ShaderCompiler, MakesTheWordsThatTheBuildMakes) {
 TEST(ShaderCompiler, AnEditChangesTheWords) {
   const ShaderFolder folder;
   (void)folder.replace("render.comp", "c > 0.0 ? min(c, 1.0)", "c > 0.0 ? min(c, 0.5)");
-  EXPECT_FALSE(std::ranges::equal(compileRenderShader(folder.path()).spirv, renderSpirv));
+  EXPECT_FALSE(std::ranges::equal(compileRenderShader(folder.path(), false).spirv, renderSpirv));
 }
 
 TEST(ShaderCompiler, ErrorInTheSource) {
@@ -102,7 +105,7 @@ TEST(ShaderCompiler, MissingIncludeIsNamedAndWatched) {
   const ShaderFolder folder;
   const std::string place = folder.replace("path.glsl", "#include \"view.glsl\"", "#include \"vieuw.glsl\"");
   try {
-    compileRenderShader(folder.path());
+    compileRenderShader(folder.path(), false);
     FAIL();
   } catch (const ShaderError& error) {
     EXPECT_EQ(error.what(), place + "#include \"vieuw.glsl\": no such file in " + folder.path().string());
@@ -117,11 +120,11 @@ TEST(ShaderCompiler, MissingSourceOrFolder) {
   EXPECT_EQ(folder.error(),
             (folder.path() / "render.comp").string() + ": cannot be read: No such file or directory");
   EXPECT_NE(inputError([&] {
-              compileRenderShader(folder.path() / "nowhere");
+              compileRenderShader(folder.path() / "nowhere", false);
             }).find("nowhere/render.comp: cannot be read"),
             std::string::npos);
   EXPECT_NE(inputError([&] {
-              compileRenderShader(folder.path() / "camera.glsl");
+              compileRenderShader(folder.path() / "camera.glsl", false);
             }).find("render.comp: cannot be read"),
             std::string::npos);
 }
@@ -183,7 +186,7 @@ TEST(ShaderCompiler, OtherIncludesAreRefused) {
 TEST(ShaderCompiler, ErrorAndWarningOfTheSourcesOwn) {
   const ShaderFolder folder;
   const std::string place = folder.replace("shade.glsl", "#endif", "#extension GL_FOO : enable\n#endif");
-  const CompiledShader shader = compileRenderShader(folder.path());
+  const CompiledShader shader = compileRenderShader(folder.path(), false);
   ASSERT_EQ(shader.warnings.size(), 1U);
   EXPECT_EQ(shader.warnings[0], place + "'#extension': extension not supported: GL_FOO");
   const std::string place2 = folder.replace("shade.glsl", "#endif", "#error not here\n#endif");

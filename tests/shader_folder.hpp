@@ -49,7 +49,7 @@ class ShaderFolder {
 
   // The message of the compilation's error; empty where it has none.
   [[nodiscard]] std::string error() const {
-    return inputError([&] { compileRenderShader(path_); });
+    return inputError([&] { compileRenderShader(path_, false); });
   }
 
  private:

@@ -54,9 +54,9 @@ TEST_P(MisfitAtLine, IsReported) {
   EXPECT_EQ(folder.error(), place + edit.message);
 }
 
-static_assert(gpu::kBindingCount == 12 && gpu::kTexelBindings == 4 && gpu::kBindingWork == 8 &&
+static_assert(gpu::kBindingCount == 12 && gpu::kTexelBindings == 7 && gpu::kBindingWork == 8 &&
               gpu::kBindingStatus == 11);
-static_assert(gpu::kSpecCount == 12 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
+static_assert(gpu::kSpecCount == 14 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
 static_assert(sizeof(gpu::DispatchConstants) == 64);
 
 constexpr Edit kEdits[] = {
@@ -66,10 +66,10 @@ constexpr Edit kEdits[] = {
      "binding = kBindingTrianglePlanes", "`Work` is binding 2, which is one utextureBuffer in the program"},
     {"TexelsWhereAStorageBufferIs", "scene_data.glsl", "binding = kBindingNodes", "binding = kBindingFilter",
      "`nodeTexels` is binding 7, which is one storage buffer in the program"},
-    {"UniformBuffer", "scene_data.glsl",
-     "layout(std430, set = 0, binding = kBindingLights) readonly buffer Lights { Light lights[]; }",
-     "layout(set = 0, binding = kBindingLights) uniform Lights { Light lights[4]; }",
-     "`Lights` is binding 5, which is one storage buffer in the program"},
+    {"UniformBuffer", "render.comp",
+     "layout(std430, set = 0, binding = kBindingWork) readonly buffer Work { WorkItem work[]; }",
+     "layout(set = 0, binding = kBindingWork) uniform Work { WorkItem work[4]; }",
+     "`Work` is binding 8, which is one storage buffer in the program"},
     {"ArrayOfBuffers", "render.comp", "buffer States { WorkState states[]; };",
      "buffer States { WorkState states[]; } s[2];\n#define states s[1].states",
      "`States` is binding 10, which is one storage buffer in the program"},
@@ -88,8 +88,8 @@ constexpr Edit kEdits[] = {
      "a work group is 32 x 2 x 1, the program's is 64 x 1 x 1"},
     {"SpecializedWorkGroup", "render.comp", "local_size_x = kWorkGroupSize", "local_size_x_id = 3",
      "the size of a work group must not be a specialization constant"},
-    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 12",
-     "`kCountRays` is specialization constant 12, the program has 0 to 11 only"},
+    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 14",
+     "`kCountRays` is specialization constant 14, the program has 0 to 13 only"},
     {"FloatSpecialization", "scene_data.glsl", "const uint kPlaneCount = 0u;",
      "const float kPlanes = 0.0; uint kPlaneCount = uint(kPlanes);",
      "`kPlanes` is specialization constant 3, which is a bool or an integer of 32 bits in the program"},

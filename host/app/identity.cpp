@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/version.hpp"
+#include "core/flatten.hpp"
 #include "film/film_file.hpp"
 #include "render/tracer.hpp"
 
@@ -21,7 +22,7 @@ std::string exactly(double number) {
 
 Identity describeIdentity(const Options& options, const Scene& scene, const RenderSettings& settings) {
   Identity identity = {{"lavaray", kVersion},
-                       {"shader", checksumOf(std::as_bytes(shaderOf(settings)))},
+                       {"shader", checksumOf(std::as_bytes(shaderOf(settings, hasFewPrimitives(scene))))},
                        {"scene", checksumOfFile(scene.file)}};
   const std::filesystem::path folder = scene.file.parent_path();
   for (const Mesh& mesh : scene.meshes) {

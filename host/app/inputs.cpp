@@ -41,9 +41,12 @@ Mesh Inputs::readMesh(const fs::path& file) {
 }
 
 bool Inputs::compileShaders(const Files& changed) {
-  if (options_.shaders.empty() || (!shader_.empty() && !haveCommon(changed, shaderFiles_))) return false;
+  if (options_.shaders.empty()) return false;
+  const bool forFewPrimitives = scene_ && hasFewPrimitives(*scene_);
+  if (forFewPrimitives != std::exchange(isForFewPrimitives_, forFewPrimitives)) shader_.clear();
+  if (!shader_.empty() && !haveCommon(changed, shaderFiles_)) return false;
   try {
-    CompiledShader compiled = compileRenderShader(options_.shaders);
+    CompiledShader compiled = compileRenderShader(options_.shaders, forFewPrimitives);
     warnings_.insert(warnings_.end(), compiled.warnings.begin(), compiled.warnings.end());
     shader_ = std::move(compiled.spirv);
     shaderFiles_ = std::move(compiled.files);

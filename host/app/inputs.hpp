@@ -22,9 +22,9 @@ class Inputs {
 
   using Files = std::vector<std::filesystem::path>;
 
-  // Read the scene and its meshes, or compile --shaders, where that was not done yet or one of the changed
-  // files asks for it, and return whether they did. Where they throw, what they made last stays. Throw
-  // Error(kInput) reading `file:line: message`.
+  // Read the scene and its meshes, or compile --shaders for it, where that was not done yet or one of the
+  // changed files asks for it, and return whether they did. Where they throw, what they made last stays, but
+  // no shader that is for another kind of scene. Throw Error(kInput) reading `file:line: message`.
   bool readScene(const Files& changed);
   bool compileShaders(const Files& changed);
   // Makes the device's arrays of the scene; the hierarchy only where something in it has changed.
@@ -54,6 +54,7 @@ class Inputs {
   std::vector<std::string> warnings_;
   Files shaderFiles_;
   std::vector<std::uint32_t> shader_;
+  bool isForFewPrimitives_ = false;  // the shader
 };
 
 }  // namespace lavaray

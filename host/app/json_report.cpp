@@ -39,11 +39,16 @@ Json sceneJson(const Scene& scene) {
 
 Json bvhJson(const GpuScene& scene) {
   const BvhQuality& bvh = scene.bvhQuality;
-  return {{"primitives", scene.primitives.size()}, {"droppedDuplicates", scene.droppedDuplicates},
-          {"innerNodes", bvh.innerNodes},          {"leaves", bvh.leaves},
-          {"primitivesPerLeaf", bvh.leafSize},     {"depth", bvh.depth},
-          {"mostDepth", gpu::kMaxBvhDepth},        {"traversedNodes", scene.nodes.size()},
-          {"traversedDepth", scene.bvhDepth},      {"sahCost", bvh.sahCost}};
+  return {{"primitives", scene.primitives.size()},
+          {"droppedDuplicates", scene.droppedDuplicates},
+          {"innerNodes", bvh.innerNodes},
+          {"leaves", bvh.leaves},
+          {"primitivesPerLeaf", bvh.leafSize},
+          {"depth", bvh.depth},
+          {"mostDepth", gpu::kMaxBvhDepth},
+          {"traversedNodes", scene.hasFewPrimitives ? 0 : scene.nodes.size()},
+          {"traversedDepth", scene.bvhDepth},
+          {"sahCost", bvh.sahCost}};
 }
 
 Json samplingJson(const RenderStatistics& result) {

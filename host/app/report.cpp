@@ -90,8 +90,14 @@ void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuS
       << gpuScene.droppedDuplicates << " duplicates dropped)\n  inner nodes     " << bvh.innerNodes
       << "\n  leaves          " << bvh.leaves << " of " << bvh.leafSize
       << " primitives in the mean\n  depth           " << bvh.depth << " of at most " << gpu::kMaxBvhDepth
-      << "\n  as traversed    " << gpuScene.nodes.size() << " nodes of up to " << gpu::kNodeWidth
-      << " children, depth " << gpuScene.bvhDepth << "\n  SAH cost        " << bvh.sahCost << '\n';
+      << "\n  as traversed    ";
+  if (gpuScene.hasFewPrimitives) {
+    out << "not at all, each ray tests all primitives";
+  } else {
+    out << gpuScene.nodes.size() << " nodes of up to " << gpu::kNodeWidth << " children, depth "
+        << gpuScene.bvhDepth;
+  }
+  out << "\n  SAH cost        " << bvh.sahCost << '\n';
   out << "rays\n  camera          " << result.counts.samples << " (" << result.samplesPerPixel
       << " a pixel, at most " << result.mostSamples << ")\n  mirror          " << result.counts.mirrorRays
       << "\n  shadow          " << result.counts.shadowRays << "\nskipped\n  shadow rays     "

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cassert>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -227,6 +228,17 @@ void measureNode(const Bvh& bvh, std::uint32_t index, unsigned depth, double roo
 Bvh buildBvh(std::span<const Box> boxes, unsigned threads) {
   assert(!boxes.empty() && boxes.size() <= gpu::kMaxReference);
   return Builder(boxes.size(), threads).build(boxes);
+}
+
+Bvh oneLeaf(std::span<const Box> boxes) {
+  assert(!boxes.empty() && boxes.size() <= gpu::kMaxLeafSize);
+  Bvh bvh;
+  bvh.nodes.resize(1);
+  bvh.nodes[0] = {{}, static_cast<std::uint32_t>(boxes.size()), 0, 0, 0};
+  bvh.order.resize(boxes.size());
+  std::iota(bvh.order.begin(), bvh.order.end(), 0U);
+  for (const Box& box : boxes) bvh.nodes[0].box.extend(box);
+  return bvh;
 }
 
 BvhQuality measure(const Bvh& bvh) {

@@ -32,6 +32,9 @@ struct Bvh {
 // gpu::kMaxLeafSize primitives. `threads` >= 1 changes the time, never the result.
 Bvh buildBvh(std::span<const Box> boxes, unsigned threads);
 
+// A leaf of all primitives, gpu::kMaxLeafSize at most, in their order.
+Bvh oneLeaf(std::span<const Box> boxes);
+
 struct BvhQuality {
   std::size_t innerNodes = 0;
   std::size_t leaves = 0;

@@ -27,8 +27,11 @@ std::vector<Box> boundingBoxes(const Primitives& primitives, unsigned threads) {
 
 void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {
   Primitives primitives = collectPrimitives(scene);
+  result.hasFewPrimitives = hasFewPrimitives(scene);
   if (primitives.shapes.empty()) return;
-  Bvh bvh = buildBvh(boundingBoxes(primitives, threads), threads);
+  if (result.hasFewPrimitives) putSpheresFirst(primitives);
+  const std::vector<Box> boxes = boundingBoxes(primitives, threads);
+  Bvh bvh = result.hasFewPrimitives ? oneLeaf(boxes) : buildBvh(boxes, threads);
   if (bvh.largestCoincidentGroup > kManyCoincident) {
     result.droppedDuplicates = removeCoincident(primitives);
     if (result.droppedDuplicates > 0) bvh = buildBvh(boundingBoxes(primitives, threads), threads);
@@ -56,6 +59,10 @@ gpu::Plane flattenPlane(const Plane& plane, const glm::dvec3& origin) {
 }
 
 }  // namespace
+
+bool hasFewPrimitives(const Scene& scene) {
+  return primitiveCount(scene) <= gpu::kMaxFewPrimitives;
+}
 
 GpuScene flatten(const Scene& scene, unsigned threads) {
   GpuScene result;

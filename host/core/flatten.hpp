@@ -20,6 +20,7 @@ struct GpuScene {
   std::vector<gpu::Plane> planes;
   std::vector<gpu::Light> lights;
   std::vector<gpu::Material> materials;  // indexed by object
+  bool hasFewPrimitives = false;         // see there; then the spheres are the first ones
   bool hasSpheres = false;
   bool hasTriangles = false;
   bool hasCornerNormals = false;
@@ -28,6 +29,9 @@ struct GpuScene {
   BvhQuality bvhQuality;
   std::size_t droppedDuplicates = 0;  // primitives that coincide with another and can never be seen
 };
+
+// Whether the scene has no more than gpu::kMaxFewPrimitives, so that its rays test each of them.
+bool hasFewPrimitives(const Scene& scene);
 
 // Throws Error(kInput) where the scene has more than gpu::kMaxReference primitives.
 GpuScene flatten(const Scene& scene, unsigned threads);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "core/errors.hpp"
 #include "core/place.hpp"
@@ -123,15 +124,32 @@ struct ShapeKeyHash {
 
 }  // namespace
 
-Primitives collectPrimitives(const Scene& scene) {
+std::size_t primitiveCount(const Scene& scene) {
   std::size_t count = scene.spheres.size() + scene.triangles.size();
   for (const MeshObject& mesh : scene.meshObjects) count += scene.meshes[mesh.mesh].triangles.size();
+  return count;
+}
+
+Primitives collectPrimitives(const Scene& scene) {
+  const std::size_t count = primitiveCount(scene);
   if (count > gpu::kMaxReference) {
     throw Error(ExitCode::kInput, printable(scene.file.native()) + ": " + std::to_string(count) +
                                       " spheres and triangles; at most " +
                                       std::to_string(gpu::kMaxReference) + " are allowed");
   }
   return Collector(scene, count).collect();
+}
+
+void putSpheresFirst(Primitives& primitives) {
+  const std::vector<gpu::Primitive> shapes = std::exchange(primitives.shapes, {});
+  const std::vector<gpu::TrianglePlane> planes = std::exchange(primitives.planes, {});
+  for (const bool spheres : {true, false}) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      if ((shapes[i].kind == gpu::kSphere) != spheres) continue;
+      primitives.shapes.push_back(shapes[i]);
+      if (!planes.empty()) primitives.planes.push_back(planes[i]);
+    }
+  }
 }
 
 Box boundingBox(const gpu::Primitive& shape) {

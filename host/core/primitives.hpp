@@ -16,8 +16,14 @@ struct Primitives {
   std::vector<gpu::CornerNormal> cornerNormals;  // three for each triangle that has them
 };
 
+// How many that are.
+std::size_t primitiveCount(const Scene& scene);
+
 // Throws Error(kInput) where there are more than gpu::kMaxReference.
 Primitives collectPrimitives(const Scene& scene);
+
+// Brings the spheres before the triangles and leaves the order of each.
+void putSpheresFirst(Primitives& primitives);
 
 // The smallest box of float32 coordinates that holds the shape.
 Box boundingBox(const gpu::Primitive& shape);

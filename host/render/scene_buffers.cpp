@@ -42,6 +42,13 @@ std::vector<std::uint32_t> specializationFor(const GpuScene& scene) {
   values[gpu::kSpecLightCount] = static_cast<std::uint32_t>(scene.lights.size());
   values[gpu::kSpecHasMirrors] = scene.hasMirrors ? 1 : 0;
   values[gpu::kSpecHasSphericalLights] = scene.hasSphericalLights ? 1 : 0;
+  if (scene.hasFewPrimitives) {
+    const auto isSphere = [](const gpu::Primitive& primitive) { return primitive.kind == gpu::kSphere; };
+    const auto spheres = std::ranges::count_if(scene.primitives, isSphere);
+    values[gpu::kSpecFewSpheres] = static_cast<std::uint32_t>(spheres);
+    values[gpu::kSpecFewTriangles] =
+        static_cast<std::uint32_t>(scene.primitives.size()) - values[gpu::kSpecFewSpheres];
+  }
   // The traversal's stack holds nodes above the one that it is at.
   values[gpu::kSpecStackSize] = std::max(scene.bvhDepth, 2U) - 1U;
   return values;

@@ -6,6 +6,7 @@
 
 #include "core/errors.hpp"
 #include "render/scene_buffers.hpp"
+#include "renderFewPrimitivesSpirv.spv.h"
 #include "renderSpirv.spv.h"
 
 namespace lavaray {
@@ -61,13 +62,17 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
 
 }  // namespace
 
-std::span<const std::uint32_t> shaderOf(const RenderSettings& settings) {
-  return settings.shader.empty() ? std::span<const std::uint32_t>(renderSpirv) : settings.shader;
+std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives) {
+  if (!settings.shader.empty()) return settings.shader;
+  if (hasFewPrimitives && settings.specialized) return renderFewPrimitivesSpirv;
+  return renderSpirv;
 }
 
 Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
                const RenderSettings& settings, std::uint64_t items)
-    : device_(device), centerOnly_(takesCenterOnly(settings)), shader_(shaderOf(settings)) {
+    : device_(device),
+      centerOnly_(takesCenterOnly(settings)),
+      shader_(shaderOf(settings, scene.hasFewPrimitives)) {
   const std::uint64_t reachable =
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
                               std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);

@@ -20,8 +20,8 @@ struct TraceCounts {
   std::uint64_t mirrorRays = 0;
 };
 
-// The SPIR-V that a render with these settings runs.
-std::span<const std::uint32_t> shaderOf(const RenderSettings& settings);
+// The SPIR-V that a render with these settings runs for a scene that has few primitives, or more.
+std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives);
 
 // A scene on a device, with the pipeline for what the scene has: it takes samples of pixels.
 class Tracer {

@@ -86,12 +86,13 @@ class Includer : public glslang::TShader::Includer {
 // One run of the compiler over the sources. The program goes before the shader, whose memory it uses.
 class Compilation {
  public:
-  explicit Compilation(ShaderSources& sources) : includer_(sources) {
+  Compilation(ShaderSources& sources, bool forFewPrimitives) : includer_(sources) {
     const ShaderSource& source = sources.sources().front();
     text_ = source.text.data();
     length_ = static_cast<int>(source.text.size());
     name_ = nameText_.c_str();
     shader_.setStringsWithLengthsAndNames(&text_, &length_, &name_, 1);
+    if (forFewPrimitives) shader_.setPreamble("#define LAVARAY_FEW_PRIMITIVES 1\n");
     shader_.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
     shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
     shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
@@ -133,7 +134,8 @@ class Compilation {
 // The compilation's answer in the user's terms: files and lines in place of the compiler's names.
 class Complaints {
  public:
-  explicit Complaints(ShaderSources& sources) : sources_(sources) {}
+  Complaints(ShaderSources& sources, bool forFewPrimitives)
+      : sources_(sources), forFewPrimitives_(forFewPrimitives) {}
 
   void add(const std::string& line) {
     if (std::ranges::find(lines_, line) == lines_.end()) lines_.push_back(line);
@@ -167,11 +169,12 @@ class Complaints {
  private:
   PreprocessedPlace findDeclaration(const std::string& word) {
     if (word.empty()) return {{}, 1};
-    if (!preprocessed_) preprocessed_ = Compilation(sources_).preprocess();
+    if (!preprocessed_) preprocessed_ = Compilation(sources_, forFewPrimitives_).preprocess();
     return findWord(*preprocessed_, word);
   }
 
   ShaderSources& sources_;
+  bool forFewPrimitives_;
   std::vector<std::string> lines_;
   std::optional<std::string> preprocessed_;
 };
@@ -188,16 +191,16 @@ std::string validate(const std::vector<std::uint32_t>& spirv) {
 
 }  // namespace
 
-CompiledShader compileRenderShader(const std::filesystem::path& directory) {
+CompiledShader compileRenderShader(const std::filesystem::path& directory, bool forFewPrimitives) {
   CompilerProcess::ensure();
   ShaderSources sources(directory);
-  Complaints complaints(sources);
+  Complaints complaints(sources, forFewPrimitives);
   sources.add(kSource);
   sources.add(kInterface);
   complaints.addAll(sources.complaints());
   complaints.throwIfAny();
 
-  Compilation compilation(sources);
+  Compilation compilation(sources, forFewPrimitives);
   const bool isParsed = compilation.parse();
   // Before the compiler's messages, which may only follow from these.
   const ShaderSource& interface = sources.sources()[1];

@@ -31,8 +31,9 @@ class ShaderError : public Error {
   std::vector<std::filesystem::path> files_;
 };
 
-// Compiles `directory`/render.comp to the SPIR-V that the build makes of it, and checks that it fits the
-// program. Throws ShaderError where it does not compile or fit. May be called from any thread.
-CompiledShader compileRenderShader(const std::filesystem::path& directory);
+// Compiles `directory`/render.comp to the SPIR-V that the build makes of it, for a scene of few primitives or
+// for any (see scene_data.glsl), and checks that it fits the program. Throws ShaderError where it does not
+// compile or fit. May be called from any thread.
+CompiledShader compileRenderShader(const std::filesystem::path& directory, bool forFewPrimitives);
 
 }  // namespace lavaray

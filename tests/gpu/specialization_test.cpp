@@ -45,6 +45,28 @@ TEST(Specialization, ChangesNoBitOfAnyScene) {
   std::cout << files.size() << " scenes are the same, bit for bit\n";
 }
 
+// Triangles that coincide, in part or as a whole, and balls that touch them, from one to as many as are few,
+// and one more.
+TEST(Specialization, ChangesNoBitOfScenesOfFewPrimitives) {
+  Scene scene;
+  scene.camera = {{0, 0, 0}, 60.0, 60.0, 1.25};
+  scene.lights = {{{3, 9, 4}, glm::dvec3(0.1), glm::dvec3(1.0), glm::dvec3(0.5)}};
+  const ImageSize size = imageSize(scene.camera).value();
+  RenderSettings settings;
+  settings.size = size;
+  settings.crop = {0, 0, size.width, size.height};
+  for (std::uint32_t i = 0; i <= gpu::kMaxFewPrimitives; ++i) {
+    const double shade = 0.1 + 0.09 * i;
+    scene.materials.push_back({{shade, 0.3, 1.0 - shade}, glm::dvec3(0.4), glm::dvec3(0.3), 9.0});
+    if (i % 2 == 0) {
+      scene.triangles.push_back({{{{-2, -1.0 - i % 4, -6}, {2, -1, -6}, {0, 2, -6}}}, i});
+    } else {
+      scene.spheres.push_back({{0.5 * i - 2.0, 0.25 * (i % 3), -6.0 - i % 5}, 1.0 + i % 2, i});
+    }
+    expectSameBits(scene, settings, std::to_string(i + 1) + " primitives");
+  }
+}
+
 // A ball in a corner of the image: what lies outside its rectangle is never dispatched, and black.
 TEST(Specialization, SkipsPixelsThatNothingCanShowIn) {
   Scene scene;

@@ -45,13 +45,13 @@ void main() {
   put(trianglePlane.normal, end); put(trianglePlane.distance, end);
   const CornerNormal cornerNormal = fetchCornerNormal(1u);
   put(cornerNormal.normal, end); put(cornerNormal.padding, end);
-  const Plane plane = planes[1];
+  const Plane plane = fetchPlane(1u);
   put(plane.normal, end); put(plane.distance, end); put(plane.object, end);
   put(plane.padding0, end); put(plane.padding1, end); put(plane.padding2, end);
-  const Light light = lights[1];
+  const Light light = fetchLight(1u);
   put(light.position, end); put(light.radius, end); put(light.ambient, end); put(light.padding1, end);
   put(light.diffuse, end); put(light.padding2, end); put(light.specular, end); put(light.padding3, end);
-  const Material material = materials[1];
+  const Material material = fetchMaterial(1u);
   put(material.ambient, end); put(material.shininess, end); put(material.diffuse, end);
   put(material.padding0, end); put(material.specular, end); put(material.padding1, end);
   put(material.reflectance, end); put(material.padding2, end);

@@ -41,6 +41,6 @@ void main() {
   if (isHit) secondary[first] = mirrorRay(unit(ray.direction), point, hit.surface);
   for (uint i = 0u; i < kLightCount; ++i) {
     secondary[first + 1u + i] = kNoRay;
-    if (isHit) secondary[first + 1u + i] = shadowRay(lights[i].position, point, hit.surface);
+    if (isHit) secondary[first + 1u + i] = shadowRay(fetchLight(i).position, point, hit.surface);
   }
 }

@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "batch.h"
-#include "traverse.glsl"
+#include "find_hit.glsl"
 
 layout(local_size_x = kWorkGroupSize) in;
 layout(constant_id = kSpecBatchMode) const uint kBatchMode = kBatchClosest;

@@ -1,0 +1,28 @@
+// What a ray hits in the scene as a whole: primitives, then planes.
+#ifndef FIND_HIT_GLSL
+#define FIND_HIT_GLSL
+
+#include "traverse.glsl"
+
+// Finds the first surface that the ray hits before hit.t, or any one of them if `anyHit`; not the one named `skipped`.
+// A plane is an object of its own, so it is compared by object. Returns false if the device ended the loops before the
+// search was over.
+bool findHit(const bool anyHit, Ray ray, uint skipped, inout Hit hit) {
+  if (kFewPrimitives) {
+    if (!testEach(ray, skipped, hit)) return false;
+  } else if (kHasSpheres || kHasTriangles) {
+    if (!traverse(anyHit, ray, skipped, hit)) return false;
+  }
+  uint i = 0u;
+  for (; i < kPlaneCount && !(anyHit && hit.surface != kNoSurface); ++i) {
+    if ((i | kPlaneBit) == skipped) continue;
+    const Plane plane = fetchPlane(i);
+    const float t = intersectPlane(ray, plane.normal, plane.distance);
+    if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && plane.object < hit.object)) {
+      hit = Hit(t, i | kPlaneBit, plane.object, 0u, vec3(0.0));
+    }
+  }
+  return i == kPlaneCount || (anyHit && hit.surface != kNoSurface);
+}
+
+#endif
