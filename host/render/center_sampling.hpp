@@ -15,8 +15,8 @@ class CenterSampling : public Sampling {
  public:
   CenterSampling(std::uint64_t pixels, View view) : Sampling(pixels), view_(view), values_(3 * pixels) {}
 
-  [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override {
-    return {static_cast<gpu::uint>(index), 0, 0, 1};
+  void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override {
+    for (gpu::WorkItem& item : items) item = {static_cast<gpu::uint>(first++), 0, 0, 1};
   }
   void copyValues(std::span<glm::vec3> values) const override {
     std::copy(values_.begin(), values_.end(), &values.front().x);
@@ -42,11 +42,14 @@ class CenterSampling : public Sampling {
 
  private:
   std::uint64_t planPass() override { return pixels() - done_; }
-  void take(std::uint64_t index, const gpu::WorkResult& result) override {
-    const glm::vec3 value =
-        isMeasure(view_) ? glm::vec3(static_cast<float>(measure(view_, result.sum))) : result.sum;
-    std::copy_n(&value.x, 3, &values_[3 * index]);
-    ++done_;
+  void take(std::uint64_t first, std::span<const gpu::WorkResult> results) override {
+    float* value = &values_[3 * first];
+    for (const gpu::WorkResult& result : results) {
+      const glm::vec3 color =
+          isMeasure(view_) ? glm::vec3(static_cast<float>(measure(view_, result.sum))) : result.sum;
+      value = std::copy_n(&color.x, 3, value);
+    }
+    done_ += results.size();
   }
 
   View view_;

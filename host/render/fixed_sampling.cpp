@@ -62,10 +62,16 @@ gpu::WorkItem FixedSampling::item(std::uint64_t index) const {
           std::min(gpu::kMaxSamplesPerItem, roundSize_ - offset)};
 }
 
-void FixedSampling::take(std::uint64_t index, const gpu::WorkResult& result) {
-  const gpu::WorkItem done = item(index);
-  if (!measured_.empty()) measured_[done.pixel] += glm::dvec3(result.sum);
-  sums_[done.pixel].add(measured_.empty() ? result.sum : glm::vec3(0.0F), done.count);
+void FixedSampling::makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const {
+  for (gpu::WorkItem& next : items) next = item(first++);
+}
+
+void FixedSampling::take(std::uint64_t first, std::span<const gpu::WorkResult> results) {
+  for (const gpu::WorkResult& result : results) {
+    const gpu::WorkItem done = item(first++);
+    if (!measured_.empty()) measured_[done.pixel] += glm::dvec3(result.sum);
+    sums_[done.pixel].add(measured_.empty() ? result.sum : glm::vec3(0.0F), done.count);
+  }
 }
 
 void FixedSampling::copyValues(std::span<glm::vec3> values) const {

@@ -16,7 +16,7 @@ class FixedSampling : public Sampling {
   // Of a round; the most that passItems() becomes.
   static std::uint64_t mostItems(std::uint64_t pixels, SampleRange range);
 
-  [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override;
+  void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override;
   void copyValues(std::span<glm::vec3> values) const override;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return sums_[pixel].samples(); }
   [[nodiscard]] std::uint32_t mostSamples() const override;
@@ -29,7 +29,8 @@ class FixedSampling : public Sampling {
  private:
   void startRound(std::uint32_t first, std::uint32_t size);
   std::uint64_t planPass() override;
-  void take(std::uint64_t index, const gpu::WorkResult& result) override;
+  [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const;
+  void take(std::uint64_t first, std::span<const gpu::WorkResult> results) override;
 
   SampleRange range_;
   View view_;

@@ -88,8 +88,10 @@ void Render::run(const Proceed& proceed) {
   while (sampling_->itemsDone() < sampling_->passItems() || sampling_->startPass()) {
     const bool finished = tracer_->run(
         sampling_->itemsDone(), sampling_->passItems(),
-        [this](std::uint64_t index) { return sampling_->item(index); },
-        [this](std::uint64_t /*index*/, const gpu::WorkResult& result) { sampling_->add(result); },
+        [this](std::uint64_t first, std::span<gpu::WorkItem> items) { sampling_->makeItems(first, items); },
+        [this](std::uint64_t /*first*/, std::span<const gpu::WorkResult> results) {
+          sampling_->add(results);
+        },
         [&] {
           const std::optional<StopReason> reason = reasonToStop(proceed);
           if (reason) stopReason_ = *reason;

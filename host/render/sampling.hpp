@@ -24,9 +24,10 @@ class Sampling {
   bool startPass();
   [[nodiscard]] std::uint64_t passItems() const { return passItems_; }
   [[nodiscard]] std::uint64_t itemsDone() const { return itemsDone_; }  // of this pass
-  [[nodiscard]] virtual gpu::WorkItem item(std::uint64_t index) const = 0;
-  // The result of item(itemsDone()).
-  void add(const gpu::WorkResult& result);
+  // Fills in those of this pass from number `first` on.
+  virtual void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const = 0;
+  // The results of the items from number itemsDone() on.
+  void add(std::span<const gpu::WorkResult> results);
 
   // The values of all pixels, row by row; black where there is no sample yet.
   virtual void copyValues(std::span<glm::vec3> values) const = 0;
@@ -58,7 +59,7 @@ class Sampling {
 
  private:
   virtual std::uint64_t planPass() = 0;  // returns the number of its items
-  virtual void take(std::uint64_t index, const gpu::WorkResult& result) = 0;
+  virtual void take(std::uint64_t first, std::span<const gpu::WorkResult> results) = 0;
 
   std::uint64_t pixels_;
   std::uint64_t passItems_ = 0;
@@ -77,9 +78,9 @@ inline bool Sampling::startPass() {
   return passItems_ > 0;
 }
 
-inline void Sampling::add(const gpu::WorkResult& result) {
-  take(itemsDone_, result);
-  ++itemsDone_;
+inline void Sampling::add(std::span<const gpu::WorkResult> results) {
+  take(itemsDone_, results);
+  itemsDone_ += results.size();
 }
 
 }  // namespace lavaray

@@ -10,9 +10,12 @@ std::uint64_t TargetSampling::planPass() {
   return items_.size();
 }
 
-void TargetSampling::take(std::uint64_t index, const gpu::WorkResult& result) {
-  plan_.add(items_[index], result);
-  taken_ += items_[index].count;
+void TargetSampling::take(std::uint64_t first, std::span<const gpu::WorkResult> results) {
+  for (const gpu::WorkResult& result : results) {
+    const gpu::WorkItem& item = items_[first++];
+    plan_.add(item, result);
+    taken_ += item.count;
+  }
 }
 
 void TargetSampling::copyValues(std::span<glm::vec3> values) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "render/adaptive.hpp"
@@ -12,7 +13,9 @@ class TargetSampling : public Sampling {
  public:
   explicit TargetSampling(AdaptiveSampling plan) : Sampling(plan.pixels().size()), plan_(std::move(plan)) {}
 
-  [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const override { return items_[index]; }
+  void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override {
+    std::copy_n(items_.begin() + static_cast<std::ptrdiff_t>(first), items.size(), items.begin());
+  }
   void copyValues(std::span<glm::vec3> values) const override;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return plan_.samples(pixel); }
   [[nodiscard]] std::uint32_t mostSamples() const override;
@@ -29,7 +32,7 @@ class TargetSampling : public Sampling {
 
  private:
   std::uint64_t planPass() override;
-  void take(std::uint64_t index, const gpu::WorkResult& result) override;
+  void take(std::uint64_t first, std::span<const gpu::WorkResult> results) override;
 
   AdaptiveSampling plan_;
   std::vector<gpu::WorkItem> items_;

@@ -105,8 +105,8 @@ std::size_t Tracer::deviceBytes() const {
   return bytes;
 }
 
-bool Tracer::run(std::uint64_t first, std::uint64_t end, const MakeItem& makeItem,
-                 const TakeResult& takeResult, const Stop& stop) {
+bool Tracer::run(std::uint64_t first, std::uint64_t end, const MakeItems& makeItems,
+                 const TakeResults& takeResults, const Stop& stop) {
   using Clock = std::chrono::steady_clock;
   auto* items = reinterpret_cast<gpu::WorkItem*>(buffers_[gpu::kBindingWork].bytes());
   const auto* results = reinterpret_cast<const gpu::WorkResult*>(buffers_[gpu::kBindingResults].bytes());
@@ -116,11 +116,9 @@ bool Tracer::run(std::uint64_t first, std::uint64_t end, const MakeItem& makeIte
         std::min({static_cast<std::uint64_t>(pieceItems_), std::uint64_t{capacity_}, end - first}));
     const Clock::time_point start = Clock::now();
     constants_.firstPixel = static_cast<gpu::uint>(first);
-    if (!centerOnly_) {
-      for (std::uint32_t i = 0; i < pieceCount; ++i) items[i] = makeItem(first + i);
-    }
+    if (!centerOnly_) makeItems(first, {items, pieceCount});
     dispatchUntilFinished(pieceCount);
-    for (std::uint32_t i = 0; i < pieceCount; ++i) takeResult(first + i, results[i]);
+    takeResults(first, {results, pieceCount});
     for (std::uint32_t i = 0; !centerOnly_ && i < pieceCount; ++i) counts_.samples += items[i].count;
     if (centerOnly_) counts_.samples += pieceCount;
 

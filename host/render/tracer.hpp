@@ -30,15 +30,16 @@ class Tracer {
   Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings,
          std::uint64_t items);
 
-  using MakeItem = std::function<gpu::WorkItem(std::uint64_t index)>;
-  using TakeResult = std::function<void(std::uint64_t index, const gpu::WorkResult& result)>;
+  // Fills in, or takes the results of, work items that follow one another from number `first` on.
+  using MakeItems = std::function<void(std::uint64_t first, std::span<gpu::WorkItem> items)>;
+  using TakeResults = std::function<void(std::uint64_t first, std::span<const gpu::WorkResult> results)>;
   using Stop = std::function<bool()>;
 
-  // Does the work items makeItem(first) .. makeItem(end - 1), in this order and in pieces of about a tenth of
-  // a second, and hands each result to takeResult. Looks at `stop` before each piece and returns false if it
-  // was stopped. With the sampling in the pixel's centre, item i is pixel i, and makeItem is not called.
+  // Does the work items first .. end - 1, in this order and in pieces of about a tenth of a second, for each
+  // of which it calls makeItems and takeResults. Looks at `stop` before each piece and returns false if it
+  // was stopped. With the sampling in the pixel's centre, item i is pixel i, and makeItems is not called.
   // Throws Error(kDevice) where the device fails or cannot finish a ray.
-  bool run(std::uint64_t first, std::uint64_t end, const MakeItem& makeItem, const TakeResult& takeResult,
+  bool run(std::uint64_t first, std::uint64_t end, const MakeItems& makeItems, const TakeResults& takeResults,
            const Stop& stop);
 
   [[nodiscard]] const TraceCounts& counts() const { return counts_; }

@@ -38,6 +38,12 @@ TEST(Determinism, SampledImagesAreTheSameTwiceAndInParts) {
   }
 }
 
+Tracer::MakeItems copyFrom(const std::vector<gpu::WorkItem>& all) {
+  return [&](std::uint64_t first, std::span<gpu::WorkItem> items) {
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), items.size(), items.begin());
+  };
+}
+
 // The renderer's pieces grow and shrink with the time that they take, so no image may depend on them.
 TEST(Determinism, PiecesOfAnySizeInAnyOrderMakeTheSameImage) {
   const Scene scene = readNamed("extensions");
@@ -58,9 +64,12 @@ TEST(Determinism, PiecesOfAnySizeInAnyOrderMakeTheSameImage) {
     std::vector<PixelSum> sums(image.rgb.size() / 3);
     Tracer tracer(testDevice(), gpuScene, scene.camera, settings, largestPiece);
     tracer.run(
-        0, items.size(), [&](std::uint64_t index) { return items[index]; },
-        [&](std::uint64_t index, const gpu::WorkResult& result) {
-          sums[items[index].pixel].add(result.sum, items[index].count);
+        0, items.size(), copyFrom(items),
+        [&](std::uint64_t first, std::span<const gpu::WorkResult> results) {
+          for (const gpu::WorkResult& result : results) {
+            const gpu::WorkItem& item = items[first++];
+            sums[item.pixel].add(result.sum, item.count);
+          }
         },
         [] { return false; });
     std::size_t differing = 0;
@@ -109,8 +118,10 @@ Image renderToTarget(const Scene& scene, const RenderSettings& settings, std::ui
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
     std::shuffle(items.begin(), items.end(), random);
     tracer.run(
-        0, items.size(), [&](std::uint64_t index) { return items[index]; },
-        [&](std::uint64_t index, const gpu::WorkResult& result) { adaptive.add(items[index], result); },
+        0, items.size(), copyFrom(items),
+        [&](std::uint64_t first, std::span<const gpu::WorkResult> results) {
+          for (const gpu::WorkResult& result : results) adaptive.add(items[first++], result);
+        },
         [] { return false; });
   }
   Image image{width, height, {}};
