@@ -237,6 +237,32 @@ const BadObj kBadObjs[] = {
 INSTANTIATE_TEST_SUITE_P(All, ReadObjFails, testing::ValuesIn(kBadObjs),
                          [](const auto& test) { return test.param.name; });
 
+// Back references across parts, every kind of line end, a byte-order mark where it is none, errors in several
+// parts of which the first in the file counts, and an error in a face before one in a later line.
+TEST(ReadObj, PartsOfAnySizeMakeTheSameMeshAndTheSameMessage) {
+  const auto outcome = [](const std::string& text, std::size_t partBytes) {
+    Mesh mesh;
+    const std::string error = inputError([&] { mesh = parseObj(text, "mesh.obj", partBytes); });
+    return std::pair(mesh, error);
+  };
+  const std::string texts[] = {
+      "",
+      "\xEF\xBB\xBFv 0 0 0\r\nv 1 0 0\rv 0 1 0\n\xEF\xBB\xBFv 9 9 9\nf -3 -2 -1 # near\n\r\n\rvn 0 0 1\nf "
+      "1//1 2//-1 3//1",
+      kSquare + "f 4 3 2 1\nv 2 2 2\nf -2 -3 -4 -5\nf 5 1 2\nf 1 1 2\nvt 0 0\nf 1/-1 2/1 3/1\n",
+      kTriangle + "f 1 2 3\n\nf -4 -2 -1\nv 1 2\n",
+      kTriangle + "f 1 2 9\nf 1 2 3\nf 1/2 2/3 3\nv 1 2 3\n",
+      kTriangle + "f 1 2 9\nf 1 2 3\n\nf 1 x 3\n",
+  };
+  for (const std::string& text : texts) {
+    const auto whole = outcome(text, kObjPartBytes);
+    for (std::size_t bytes = 1; bytes <= text.size(); ++bytes)
+      EXPECT_EQ(outcome(text, bytes), whole) << bytes;
+  }
+  EXPECT_EQ(outcome(texts[3], 8).second, "mesh.obj:6: vertex -4 is out of range, there are 3");
+  EXPECT_EQ(outcome(texts[5], 8).second.substr(0, 13), "mesh.obj:7: \"");
+}
+
 TEST(ReadObj, UnreadableFiles) {
   const auto folder = testFolder();
   EXPECT_THROW(readObj(folder), UnreadableFile);

@@ -1,20 +1,17 @@
 #include "core/obj_reader.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <istream>
-#include <limits>
+#include <array>
+#include <exception>
+#include <numeric>
 #include <span>
-#include <streambuf>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include <tiny_obj_loader.h>
-
-#include "core/obj_statement.hpp"
+#include "core/obj_part.hpp"
+#include "core/parallel.hpp"
 #include "core/place.hpp"
 #include "core/text_file.hpp"
 #include "core/triangulate.hpp"
@@ -22,152 +19,124 @@
 namespace lavaray {
 namespace {
 
-constexpr std::uint32_t kAbsent = std::numeric_limits<std::uint32_t>::max();
-
-// Counted from 0. What they point at may come later in the file.
-struct Corner {
-  std::uint32_t position;
-  std::uint32_t texcoord;  // or kAbsent, as is the normal
-  std::uint32_t normal;
-};
-
-struct Face {
-  std::size_t firstCorner;
-  std::size_t line;
-};
-
-// Gives tinyobjloader the file line by line, each of them checked first. Its callbacks then run while the
-// line is the current one, which is how they come to know the line number.
-class LineSource : public std::streambuf {
- public:
-  LineSource(std::string text, const std::filesystem::path& file)
-      : text_(withFinalNewline(std::move(text))), lines_(text_), file_(file) {}
-
-  [[nodiscard]] const ObjLine& checked() const { return checked_; }
-  [[nodiscard]] Place place() const { return {file_, std::max<std::size_t>(lines_.lineNumber(), 1)}; }
-
- protected:
-  int_type underflow() override {
-    if (!lines_.next()) return traits_type::eof();
-    const std::string_view line = withoutComment(lines_.line());
-    checked_ = checkObjLine(line, place());
-    char* const begin = text_.data() + (line.data() - text_.data());
-    char* const end = begin + line.size();
-    *end = '\n';  // in place of the line's own end or of its comment
-    setg(begin, begin, end + 1);
-    return traits_type::to_int_type(*begin);
-  }
-
- private:
-  static std::string withFinalNewline(std::string text) {
-    if (!text.empty() && text.back() != '\n') text += '\n';
-    return text;
-  }
-
-  std::string text_;
-  Lines lines_;
-  const std::filesystem::path& file_;
-  ObjLine checked_;
-};
-
-// What tinyobjloader's callbacks collect.
-struct Content {
-  const LineSource& source;
-  std::vector<glm::dvec3> positions{};
-  std::vector<glm::dvec3> normals{};
-  std::size_t texcoordCount = 0;
-  std::vector<Corner> corners{};
-  std::vector<Face> faces{};
-};
-
-[[noreturn]] void failOutOfRange(const Place& place, std::string_view what, long long index,
-                                 std::size_t count) {
-  failAt(place, std::string(what) + " " + std::to_string(index) + " is out of range, there are " +
-                    std::to_string(count));
+// Throws Error(kInput) at the face's line.
+[[noreturn]] void failOutOfRange(const Place& place, ObjArray array, long long index, std::size_t count) {
+  failAt(place, std::string(kObjArrayNames[array]) + " " + std::to_string(index) +
+                    " is out of range, there are " + std::to_string(count));
 }
 
-// A negative index counts back from what has been read so far.
-std::uint32_t resolve(int index, std::size_t countSoFar, std::string_view what, const Place& place) {
-  if (index == 0) return kAbsent;
-  if (index > 0) return static_cast<std::uint32_t>(index - 1);
-  const long long resolved = static_cast<long long>(countSoFar) + index;
-  if (resolved < 0) failOutOfRange(place, what, index, countSoFar);
-  return static_cast<std::uint32_t>(resolved);
+// Parts of about `bytes` each, which end where a line does.
+std::vector<std::span<char>> divide(std::string& text, std::size_t bytes) {
+  std::vector<std::span<char>> parts;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t lf = text.find('\n', std::min(text.size() - 1, begin + bytes - 1));
+    parts.push_back(std::span(text).subspan(begin, lf + 1 - begin));
+    begin = lf + 1;
+  }
+  return parts;
 }
 
-void addFace(Content& content, const tinyobj::index_t* indices, int count) {
-  const Place place = content.source.place();
-  content.faces.push_back({content.corners.size(), place.line});
-  for (int i = 0; i < count; ++i) {
-    content.corners.push_back(
-        {resolve(indices[i].vertex_index, content.positions.size(), "vertex", place),
-         resolve(indices[i].texcoord_index, content.texcoordCount, "texture coordinate", place),
-         resolve(indices[i].normal_index, content.normals.size(), "normal", place)});
+std::vector<ObjPart> readParts(const std::vector<std::span<char>>& texts, const std::filesystem::path& file) {
+  const unsigned threads = hardwareThreads();
+  // A part's lines are counted first, so that the others' messages have their line numbers.
+  std::vector<std::size_t> lines(texts.size());
+  parallelFor(texts.size(), threads, [&](std::size_t i) {
+    lines[i] = countLines({texts[i].data(), texts[i].size()});
+  });
+  std::exclusive_scan(lines.begin(), lines.end(), lines.begin(), std::size_t{0});
+  std::vector<ObjPart> parts(texts.size());
+  parallelFor(parts.size(), threads,
+              [&](std::size_t i) { parts[i] = readObjPart(texts[i], lines[i], file); });
+  return parts;
+}
+
+// Makes indices of the part's back references. `counts` is what the parts before it have of each array.
+void resolve(ObjPart& part, const std::array<std::size_t, 3>& counts, const std::filesystem::path& file) {
+  for (const ObjBackReference& reference : part.backReferences) {
+    std::uint32_t& index = part.corners[reference.corner][reference.array];
+    const std::size_t count = counts[reference.array] + index;
+    const long long resolved = static_cast<long long>(count) + reference.index;
+    if (resolved < 0) {
+      failOutOfRange({file, part.faces[reference.face].line}, reference.array, reference.index, count);
+    }
+    index = static_cast<std::uint32_t>(resolved);
   }
 }
 
-// The numbers of the current line. Those that tinyobjloader hands to its callbacks can be off by some units
-// in the last place, as it adds up decimal digits one by one.
-glm::dvec3 currentVector(const Content& content) {
-  const ObjLine& line = content.source.checked();
-  return {line.numbers[0], line.numbers[1], line.numbers[2]};
+// The whole file's positions and normals; the parts keep their faces, whose indices are now those of the
+// file. Throws what is wrong first in the file, as far as that can be known without looking at what an index
+// points at.
+std::array<std::size_t, 3> join(std::vector<ObjPart>& parts, const std::filesystem::path& file, Mesh& mesh) {
+  std::array<std::size_t, 3> counts{};
+  for (ObjPart& part : parts) {
+    resolve(part, counts, file);
+    if (part.error) std::rethrow_exception(part.error);
+    const std::vector<glm::dvec3> positions = std::exchange(part.positions, {});
+    const std::vector<glm::dvec3> normals = std::exchange(part.normals, {});
+    mesh.positions.insert(mesh.positions.end(), positions.begin(), positions.end());
+    mesh.normals.insert(mesh.normals.end(), normals.begin(), normals.end());
+    counts = {mesh.positions.size(), counts[kObjTexcoord] + part.texcoords, mesh.normals.size()};
+  }
+  return counts;
 }
 
-void parse(LineSource& source, Content& content) {
-  tinyobj::callback_t callbacks;
-  callbacks.vertex_cb = [](void* user, double, double, double, double) {
-    auto& to = *static_cast<Content*>(user);
-    to.positions.push_back(currentVector(to));
-  };
-  callbacks.normal_cb = [](void* user, double, double, double) {
-    auto& to = *static_cast<Content*>(user);
-    to.normals.push_back(currentVector(to));
-  };
-  callbacks.texcoord_cb = [](void* user, double, double, double) {
-    ++static_cast<Content*>(user)->texcoordCount;
-  };
-  callbacks.index_cb = [](void* user, tinyobj::index_t* indices, int count) {
-    addFace(*static_cast<Content*>(user), indices, count);
-  };
-  std::istream stream(&source);
-  stream.exceptions(std::ios::badbit);  // else it would swallow the errors thrown by the source
-  // Without a reader of materials no .mtl file is opened.
-  tinyobj::LoadObjWithCallback(stream, callbacks, &content, nullptr, nullptr, nullptr);
+struct Triangles {
+  std::vector<MeshTriangle> triangles;
+  std::size_t degenerate = 0;
+  std::exception_ptr error;
+};
+
+void addFace(const Mesh& mesh, std::span<const ObjCorner> corners, Triangulator& triangulator,
+             std::vector<glm::dvec3>& polygon, Triangles& result) {
+  polygon.clear();
+  for (const ObjCorner& corner : corners) polygon.push_back(mesh.positions[corner[kObjPosition]]);
+  const bool hasNormals =
+      std::ranges::none_of(corners, [](const ObjCorner& corner) { return corner[kObjNormal] == kObjAbsent; });
+  const auto& triangles = triangulator.triangulate(polygon);
+  for (const auto& [a, b, c] : triangles) {
+    MeshTriangle triangle{
+        .positions = {corners[a][kObjPosition], corners[b][kObjPosition], corners[c][kObjPosition]}};
+    if (hasNormals)
+      triangle.normals = {corners[a][kObjNormal], corners[b][kObjNormal], corners[c][kObjNormal]};
+    result.triangles.push_back(triangle);
+  }
+  result.degenerate += corners.size() - 2 - triangles.size();
 }
 
-void checkRange(const Content& content, const Corner& corner, const Place& place) {
-  const auto check = [&](std::uint32_t index, std::size_t count, std::string_view what) {
-    if (index != kAbsent && index >= count) failOutOfRange(place, what, index + 1LL, count);
-  };
-  check(corner.position, content.positions.size(), "vertex");
-  check(corner.texcoord, content.texcoordCount, "texture coordinate");
-  check(corner.normal, content.normals.size(), "normal");
-}
-
-void addTriangles(const Content& content, const std::filesystem::path& file, Mesh& mesh) {
+Triangles trianglesOf(const ObjPart& part, const Mesh& mesh, const std::array<std::size_t, 3>& counts,
+                      const std::filesystem::path& file) {
+  Triangles result;
   Triangulator triangulator;
   std::vector<glm::dvec3> polygon;
-  for (std::size_t i = 0; i < content.faces.size(); ++i) {
-    const Face& face = content.faces[i];
-    const std::size_t end =
-        i + 1 < content.faces.size() ? content.faces[i + 1].firstCorner : content.corners.size();
-    const std::span corners(content.corners.data() + face.firstCorner, end - face.firstCorner);
-
-    bool hasNormals = true;
-    polygon.clear();
-    for (const Corner& corner : corners) {
-      checkRange(content, corner, {file, face.line});
-      polygon.push_back(content.positions[corner.position]);
-      hasNormals = hasNormals && corner.normal != kAbsent;
+  result.triangles.reserve(part.faces.size());
+  try {
+    for (std::size_t i = 0; i < part.faces.size(); ++i) {
+      const ObjFace& face = part.faces[i];
+      const std::size_t end = i + 1 < part.faces.size() ? part.faces[i + 1].firstCorner : part.corners.size();
+      const std::span corners(part.corners.data() + face.firstCorner, end - face.firstCorner);
+      for (const ObjCorner& corner : corners) {
+        for (const ObjArray array : {kObjPosition, kObjTexcoord, kObjNormal}) {
+          if (corner[array] == kObjAbsent || corner[array] < counts[array]) continue;
+          failOutOfRange({file, face.line}, array, corner[array] + 1LL, counts[array]);
+        }
+      }
+      addFace(mesh, corners, triangulator, polygon, result);
     }
+  } catch (...) {
+    result.error = std::current_exception();
+  }
+  return result;
+}
 
-    const auto& triangles = triangulator.triangulate(polygon);
-    for (const auto& [a, b, c] : triangles) {
-      MeshTriangle triangle{.positions = {corners[a].position, corners[b].position, corners[c].position}};
-      if (hasNormals) triangle.normals = {corners[a].normal, corners[b].normal, corners[c].normal};
-      mesh.triangles.push_back(triangle);
-    }
-    mesh.degenerateTriangles += corners.size() - 2 - triangles.size();
+void addTriangles(const std::vector<ObjPart>& parts, const std::array<std::size_t, 3>& counts,
+                  const std::filesystem::path& file, Mesh& mesh) {
+  std::vector<Triangles> results(parts.size());
+  parallelFor(parts.size(), hardwareThreads(),
+              [&](std::size_t i) { results[i] = trianglesOf(parts[i], mesh, counts, file); });
+  for (const Triangles& result : results) {
+    if (result.error) std::rethrow_exception(result.error);
+    mesh.triangles.insert(mesh.triangles.end(), result.triangles.begin(), result.triangles.end());
+    mesh.degenerateTriangles += result.degenerate;
   }
 }
 
@@ -186,19 +155,18 @@ Mesh readObj(const std::filesystem::path& file) {
   return parseObj(readText(file), file);
 }
 
-Mesh parseObj(std::string text, const std::filesystem::path& file) {
+Mesh parseObj(std::string text, const std::filesystem::path& file, std::size_t partBytes) {
   rejectNulBytes(text, file);
-  LineSource source(std::move(text), file);
-  Content content{.source = source};
-  parse(source, content);
-
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  std::vector<ObjPart> parts = readParts(divide(text, partBytes), file);
   Mesh mesh;
   mesh.file = file;
-  addTriangles(content, file, mesh);
-  if (mesh.triangles.empty())
-    failAt(source.place(), "no face with an area, allowed is a mesh of at least one");
-  mesh.positions = std::move(content.positions);
-  mesh.normals = std::move(content.normals);
+  const std::array<std::size_t, 3> counts = join(parts, file, mesh);
+  addTriangles(parts, counts, file, mesh);
+  if (mesh.triangles.empty()) {
+    const std::size_t lastLine = parts.empty() ? 1 : parts.back().lastLine;
+    failAt({file, lastLine}, "no face with an area, allowed is a mesh of at least one");
+  }
   return mesh;
 }
 

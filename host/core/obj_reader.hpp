@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -19,7 +20,9 @@ class UnreadableFile : public Error {
 // Throws UnreadableFile, or Error(kInput) reading `file:line: what is wrong, what is allowed`.
 Mesh readObj(const std::filesystem::path& file);
 
-// The same for the text of an OBJ file that need not be there.
-Mesh parseObj(std::string text, const std::filesystem::path& file);
+// The same for the text of an OBJ file that need not be there. It is read by all processors in parts of about
+// so many bytes, which changes neither the mesh nor the message.
+inline constexpr std::size_t kObjPartBytes = 1 << 18;
+Mesh parseObj(std::string text, const std::filesystem::path& file, std::size_t partBytes = kObjPartBytes);
 
 }  // namespace lavaray

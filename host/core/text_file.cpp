@@ -49,14 +49,12 @@ void rejectNulBytes(std::string_view text, const std::filesystem::path& file) {
   const std::size_t position = text.find('\0');
   if (position == std::string_view::npos) return;
   // The byte is part of the last line of what precedes it and itself.
-  Lines lines(text.substr(0, position + 1));
-  while (lines.next()) {
-  }
-  failAt({file, lines.lineNumber()}, "a NUL byte, allowed is plain text in ASCII or UTF-8");
+  failAt({file, countLines(text.substr(0, position + 1))},
+         "a NUL byte, allowed is plain text in ASCII or UTF-8");
 }
 
-Lines::Lines(std::string_view text) : text_(text) {
-  if (text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+Lines::Lines(std::string_view text, std::size_t linesBefore) : text_(text), number_(linesBefore) {
+  if (linesBefore == 0 && text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
   findLf();
 }
 
@@ -78,6 +76,13 @@ bool Lines::next() {
     if (position_ < text_.size()) findLf();
   }
   return true;
+}
+
+std::size_t countLines(std::string_view text) {
+  Lines lines(text);
+  while (lines.next()) {
+  }
+  return lines.lineNumber();
 }
 
 std::string_view trim(std::string_view text) {

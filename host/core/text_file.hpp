@@ -13,11 +13,12 @@ std::string readFile(const std::filesystem::path& file);
 // Throws Error(kInput) at the line of the first NUL byte. What has one is no text, or text in UTF-16.
 void rejectNulBytes(std::string_view text, const std::filesystem::path& file);
 
-// Walks through the lines of a text. A line ends with LF, CR LF, a lone CR or the end of the text; a UTF-8
-// byte-order mark in front of the first is skipped. Refers to the text, which must outlive it.
+// Walks through the lines of a text, or of a part of it that `linesBefore` lines precede. A line ends with
+// LF, CR LF, a lone CR or the end of the text; a UTF-8 byte-order mark in front of the first is skipped.
+// Refers to the text, which must outlive it.
 class Lines {
  public:
-  explicit Lines(std::string_view text);
+  explicit Lines(std::string_view text, std::size_t linesBefore = 0);
 
   // Goes on to the next line, first of all to the first. False where there is none.
   bool next();
@@ -34,8 +35,10 @@ class Lines {
   std::size_t lf_ = 0;         // the next one, or the end of the text
   std::size_t beforeCrs_ = 0;  // where the CRs before it begin
   std::string_view line_;
-  std::size_t number_ = 0;
+  std::size_t number_;
 };
+
+std::size_t countLines(std::string_view text);
 
 // Without white space (blanks and tabs) at both ends.
 std::string_view trim(std::string_view text);

@@ -8,19 +8,34 @@
 #include "core/obj_reader.hpp"
 #include "fuzz/checks.hpp"
 
+namespace {
+
+// The mesh, or what is said of the text.
+std::pair<lavaray::Mesh, std::string> read(const std::string& text, std::size_t partBytes) {
+  static const std::filesystem::path file = "mesh.obj";
+  try {
+    return {lavaray::parseObj(text, file, partBytes), {}};
+  } catch (const lavaray::Error& error) {
+    lavaray::fuzz::checkComplaint(error);
+    return {{}, error.what()};
+  }
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace lavaray;
-  static const std::filesystem::path file = "mesh.obj";
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const auto [mesh, complaint] = read(text, kObjPartBytes);
+  const auto [joined, sameComplaint] = read(text, 24);
+  fuzz::require(mesh == joined && complaint == sameComplaint, "parts change nothing");
+  if (!complaint.empty()) return 0;
   Scene scene;
   scene.camera.focalLength = 10.0;
   scene.materials.resize(1);
   scene.meshObjects = {{0, 0}};
-  try {
-    scene.meshes.push_back(parseObj(std::string(reinterpret_cast<const char*>(data), size), file));
-    fuzz::checkScene(scene);
-    fuzz::checkFlattened(scene);
-  } catch (const Error& error) {
-    fuzz::checkComplaint(error);
-  }
+  scene.meshes.push_back(mesh);
+  fuzz::checkScene(scene);
+  fuzz::checkFlattened(scene);
   return 0;
 }
