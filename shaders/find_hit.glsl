@@ -5,13 +5,14 @@
 #include "traverse.glsl"
 
 // Finds the first surface that the ray hits before hit.t, or any one of them if `anyHit`; not the one named `skipped`.
+// `start` is as for traverse.
 // A plane is an object of its own, so it is compared by object. Returns false if the device ended the loops before the
 // search was over.
-bool findHit(const bool anyHit, Ray ray, uint skipped, inout Hit hit) {
+bool findHit(const bool anyHit, Ray ray, uint skipped, uint start, inout Hit hit) {
   if (kFewPrimitives) {
     if (!testEach(ray, skipped, hit)) return false;
   } else if (kHasSpheres || kHasTriangles) {
-    if (!traverse(anyHit, ray, skipped, hit)) return false;
+    if (!traverse(anyHit, ray, skipped, start, hit)) return false;
   }
   uint i = 0u;
   for (; i < kPlaneCount && !(anyHit && hit.surface != kNoSurface); ++i) {

@@ -60,7 +60,8 @@ const float kMinReflectance = 1e-4f;
 
 // Bindings of descriptor set 0. Those below kTexelBindings are read through texel buffer views, four 32-bit words a
 // texel (see scene_data.glsl); the others are storage buffers.
-const uint kTexelBindings = 7u;
+const uint kTexelBindings = 8u;
+const uint kSceneBindings = 7u;  // the first ones, the same for all shaders
 const uint kBindingNodes = 0u;
 const uint kBindingPrimitives = 1u;
 const uint kBindingTrianglePlanes = 2u;
@@ -68,12 +69,13 @@ const uint kBindingCornerNormals = 3u;
 const uint kBindingPlanes = 4u;
 const uint kBindingLights = 5u;
 const uint kBindingMaterials = 6u;
-const uint kBindingFilter = 7u;
-const uint kBindingWork = 8u;
-const uint kBindingResults = 9u;
-const uint kBindingStates = 10u;
-const uint kBindingStatus = 11u;
-const uint kBindingCount = 12u;
+const uint kBindingTileStarts = 7u;
+const uint kBindingFilter = 8u;
+const uint kBindingWork = 9u;
+const uint kBindingResults = 10u;
+const uint kBindingStates = 11u;
+const uint kBindingStatus = 12u;
+const uint kBindingCount = 13u;
 
 // Specialization constants: what the scene has, so that the pipeline holds no code for what it has not.
 const uint kSpecHasSpheres = 0u;
@@ -90,7 +92,8 @@ const uint kSpecStackSize = 10u;
 const uint kSpecView = 11u;
 const uint kSpecFewSpheres = 12u;  // of a scene of few primitives, as the next one
 const uint kSpecFewTriangles = 13u;
-const uint kSpecCount = 14u;
+const uint kSpecHasTileStarts = 14u;
+const uint kSpecCount = 15u;
 
 // A WorkResult's squares where there is none yet.
 const float kUnfinished = -1.0f;
@@ -131,6 +134,14 @@ struct BvhNode {
 LAVARAY_SIZE(BvhNode, 64);
 const uint kTexelsPerNode = 4u;
 const uint kNodeWidth = 4u;
+
+// Children of a node that are still to be visited, packed: node << 8 | slots << 2 | count, of slots of two bits each the
+// first one lowest; 0 is none.
+const uint kGroupNodeShift = 8u;
+const uint kGroupSlotsShift = 2u;
+const uint kRootGroup = 1u;  // the only child of the node above the root
+
+const uint kTileStartsPerTexel = 4u;  // packed groups
 
 const uint kNoCornerNormals = 0xFFFFFFFFu;
 const uint kSphere = 0xFFFFFFFEu;
@@ -258,8 +269,10 @@ struct DispatchConstants {
   uint maxDepth;       // mirror bounces
   uint filterSize;     // entries of the filter's table; 0 is the box
   uint firstPixel;     // of the items, where they are consecutive pixels (kSamplingCenter)
-  uint padding0;
-  uint padding1;
+  // Camera rays through a square of 2^tileShift pixels of the crop start at its own node, where the pipeline has tile
+  // starts: tiles are counted row by row, tilesAcross in one.
+  uint tileShift;
+  uint tilesAcross;
 };
 LAVARAY_SIZE(DispatchConstants, 64);
 

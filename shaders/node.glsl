@@ -45,15 +45,15 @@ NodeGroup sortedGroup(uint node, vec4 entry) {
   return NodeGroup(node, slots, uint(hits.x) + uint(hits.y) + uint(hits.z) + uint(hits.w));
 }
 
-// Groups that wait, the last one in entry 0, packed: node << 8 | slots << 2 | count, 0 where there is none.
+// Groups that wait, packed, the last one in entry 0.
 // Entries are moved along instead of being counted, since constant indices keep them in registers: on lavapipe a
 // write to a computed index is a branch for each lane, and took two thirds of the time.
 struct GroupStack {
   uint entries[kStackSize];
 };
 
-uint packGroup(NodeGroup group) { return group.node << 8u | group.slots << 2u | group.count; }
-NodeGroup unpackGroup(uint entry) { return NodeGroup(entry >> 8u, (entry >> 2u) & 63u, entry & 3u); }
+uint packGroup(NodeGroup group) { return group.node << kGroupNodeShift | group.slots << kGroupSlotsShift | group.count; }
+NodeGroup unpackGroup(uint entry) { return NodeGroup(entry >> kGroupNodeShift, (entry >> kGroupSlotsShift) & 63u, entry & 3u); }
 
 // Takes the last group away if `pop`, then adds one if `push`.
 void updateStack(inout GroupStack stack, bool pop, bool push, NodeGroup added) {

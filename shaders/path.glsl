@@ -9,6 +9,7 @@
 struct Segment {
   Ray ray;
   uint skipped;  // the surface that it leaves
+  uint start;    // where in the hierarchy the search begins
   vec3 weight;   // product of the mirrors' reflectances so far
 };
 
@@ -18,7 +19,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
                    inout RayCounts counts, out bool ended) {
   ended = true;
   Hit hit = missUpTo(kInfinity);
-  if (!findHit(false, segment.ray, segment.skipped, hit)) return false;
+  if (!findHit(false, segment.ray, segment.skipped, segment.start, hit)) return false;
   if (hit.surface == kNoSurface) {
     if (kView == kViewCost) ++state.rays;
     return true;
@@ -44,6 +45,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   const vec3 direction = incoming - 2.0 * dot(incoming, point.shadingNormal) * point.shadingNormal;
   segment.ray = Ray(leave(point, direction), direction);
   segment.skipped = hit.surface;
+  segment.start = kRootGroup;
   ++counts.mirror;
   ended = false;
   return true;
@@ -52,8 +54,8 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
 // Returns false where the path could not be finished; state says what is missing. Without mirrors a path is one
 // segment: the loop's condition is then the constant false, and compilers unwrap it, which they do not do with a
 // for loop that turns once.
-bool tracePath(Ray ray, PathSettings settings, inout PathState state, inout RayCounts counts) {
-  Segment segment = Segment(ray, kNoSurface, vec3(1.0));
+bool tracePath(Ray ray, uint start, PathSettings settings, inout PathState state, inout RayCounts counts) {
+  Segment segment = Segment(ray, kNoSurface, start, vec3(1.0));
   bool finished = false;
   bool ended = false;
   uint bounce = 0u;

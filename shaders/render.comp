@@ -34,11 +34,18 @@ Ray sampleRay(uvec2 pixel, uint index, uint seed) {
 float displayed(float c) { return c > 0.0 ? min(c, 1.0) : 0.0; }
 vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g), displayed(color.b)); }
 
+// The packed group that the pixel's camera rays start with.
+uint startGroup(uvec2 pixelInCrop) {
+  if (!kHasTileStarts) return kRootGroup;
+  const uvec2 tile = pixelInCrop >> constants.tileShift;
+  return fetchTileStart(tile.y * constants.tilesAcross + tile.x);
+}
+
 // Takes the sample that the state is at. Returns false where it could not be finished.
-bool takeSample(uvec2 pixel, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
+bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
   PathState path = PathState(state.color, state.bounce, state.step, state.rays);
   const PathSettings settings = PathSettings(constants.maxDepth, index, seed);
-  const bool finished = tracePath(sampleRay(pixel, index, seed), settings, path, counts);
+  const bool finished = tracePath(sampleRay(pixel, index, seed), start, settings, path, counts);
   if (finished) {
     vec3 color = path.color;
     if (kView == kViewCost) color = vec3(path.rays);
@@ -58,13 +65,14 @@ bool takeSample(uvec2 pixel, uint index, uint seed, inout WorkState state, inout
 // Takes samples from state.taken on. Returns false where it could not take them all. The loop is written as that
 // of tracePath, for the same reason.
 bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
-  const uvec2 pixel = uvec2(item.pixel % constants.cropWidth + constants.cropX,
-                            item.pixel / constants.cropWidth + constants.cropY);
+  const uvec2 inCrop = uvec2(item.pixel % constants.cropWidth, item.pixel / constants.cropWidth);
+  const uvec2 pixel = inCrop + uvec2(constants.cropX, constants.cropY);
+  const uint start = startGroup(inCrop);
   const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), item.sequence);
   bool finished;
   uint i = state.taken;
   do {
-    finished = takeSample(pixel, item.first + i, seed, state, counts);
+    finished = takeSample(pixel, start, item.first + i, seed, state, counts);
     ++i;
   } while (kSampling != kSamplingCenter && finished && i < item.count);
   return state.taken == item.count;

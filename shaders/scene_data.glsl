@@ -25,6 +25,7 @@ layout(constant_id = kSpecHasMirrors) const bool kHasMirrors = false;
 layout(constant_id = kSpecHasSphericalLights) const bool kHasSphericalLights = false;
 layout(constant_id = kSpecFewSpheres) const uint kFewSpheres = 0u;
 layout(constant_id = kSpecFewTriangles) const uint kFewTriangles = 0u;
+layout(constant_id = kSpecHasTileStarts) const bool kHasTileStarts = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = kMaxBvhDepth;
 
 layout(set = 0, binding = kBindingNodes) uniform utextureBuffer nodeTexels;
@@ -34,6 +35,7 @@ layout(set = 0, binding = kBindingCornerNormals) uniform utextureBuffer cornerNo
 layout(set = 0, binding = kBindingPlanes) uniform utextureBuffer planeTexels;
 layout(set = 0, binding = kBindingLights) uniform utextureBuffer lightTexels;
 layout(set = 0, binding = kBindingMaterials) uniform utextureBuffer materialTexels;
+layout(set = 0, binding = kBindingTileStarts) uniform utextureBuffer tileStartTexels;
 
 uvec4 fetchNodeTexel(uint index, uint texel) {
   return texelFetch(nodeTexels, int(index * kTexelsPerNode + texel));
@@ -71,6 +73,13 @@ Plane fetchPlane(uint index) {
   const vec4 t0 = uintBitsToFloat(texelFetch(planeTexels, texel));
   const uvec4 t1 = texelFetch(planeTexels, texel + 1);
   return Plane(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
+}
+
+// The packed group that camera rays through the tile start with.
+uint fetchTileStart(uint tile) {
+  const uvec4 t = texelFetch(tileStartTexels, int(tile / kTileStartsPerTexel));
+  const uvec2 pair = (tile & 2u) == 0u ? t.xy : t.zw;
+  return (tile & 1u) == 0u ? pair.x : pair.y;
 }
 
 Light fetchLight(uint index) {

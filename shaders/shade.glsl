@@ -54,7 +54,7 @@ bool findShadow(SurfacePoint point, uint surface, vec3 light, out bool blocked) 
   const float end = shadowRayEnd(origin, light, ray.direction);
   if (!(end > 0.0)) return true;  // the light touches the surface: nothing fits between
   Hit hit = missUpTo(end);
-  const bool finished = findHit(true, ray, surface, hit);
+  const bool finished = findHit(true, ray, surface, kRootGroup, hit);
   blocked = hit.surface != kNoSurface;
   return finished;
 }

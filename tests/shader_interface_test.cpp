@@ -54,27 +54,27 @@ TEST_P(MisfitAtLine, IsReported) {
   EXPECT_EQ(folder.error(), place + edit.message);
 }
 
-static_assert(gpu::kBindingCount == 12 && gpu::kTexelBindings == 7 && gpu::kBindingWork == 8 &&
-              gpu::kBindingStatus == 11);
-static_assert(gpu::kSpecCount == 14 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
+static_assert(gpu::kBindingCount == 13 && gpu::kTexelBindings == 8 && gpu::kBindingWork == 9 &&
+              gpu::kBindingStatus == 12);
+static_assert(gpu::kSpecCount == 15 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
 static_assert(sizeof(gpu::DispatchConstants) == 64);
 
 constexpr Edit kEdits[] = {
-    {"BindingPastTheLast", "render.comp", "binding = kBindingWork", "binding = 12",
-     "`Work` is binding 12, the program has bindings 0 to 11 only"},
+    {"BindingPastTheLast", "render.comp", "binding = kBindingWork", "binding = 13",
+     "`Work` is binding 13, the program has bindings 0 to 12 only"},
     {"StorageBufferWhereTexelsAre", "render.comp", "binding = kBindingWork",
      "binding = kBindingTrianglePlanes", "`Work` is binding 2, which is one utextureBuffer in the program"},
     {"TexelsWhereAStorageBufferIs", "scene_data.glsl", "binding = kBindingNodes", "binding = kBindingFilter",
-     "`nodeTexels` is binding 7, which is one storage buffer in the program"},
+     "`nodeTexels` is binding 8, which is one storage buffer in the program"},
     {"UniformBuffer", "render.comp",
      "layout(std430, set = 0, binding = kBindingWork) readonly buffer Work { WorkItem work[]; }",
      "layout(set = 0, binding = kBindingWork) uniform Work { WorkItem work[4]; }",
-     "`Work` is binding 8, which is one storage buffer in the program"},
+     "`Work` is binding 9, which is one storage buffer in the program"},
     {"ArrayOfBuffers", "render.comp", "buffer States { WorkState states[]; };",
      "buffer States { WorkState states[]; } s[2];\n#define states s[1].states",
-     "`States` is binding 10, which is one storage buffer in the program"},
+     "`States` is binding 11, which is one storage buffer in the program"},
     {"OtherSet", "render.comp", "set = 0, binding = kBindingWork", "set = 1, binding = kBindingWork",
-     "`Work` is binding 8 of descriptor set 1, the program has set 0 only"},
+     "`Work` is binding 9 of descriptor set 1, the program has set 0 only"},
     {"LongerPushConstants", "render.comp", "{ DispatchConstants constants; }",
      "{ DispatchConstants constants; vec3 more; }",
      "`PushConstants` has 76 bytes of push constants, the program's have 64"},
@@ -88,8 +88,8 @@ constexpr Edit kEdits[] = {
      "a work group is 32 x 2 x 1, the program's is 64 x 1 x 1"},
     {"SpecializedWorkGroup", "render.comp", "local_size_x = kWorkGroupSize", "local_size_x_id = 3",
      "the size of a work group must not be a specialization constant"},
-    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 14",
-     "`kCountRays` is specialization constant 14, the program has 0 to 13 only"},
+    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 15",
+     "`kCountRays` is specialization constant 15, the program has 0 to 14 only"},
     {"FloatSpecialization", "scene_data.glsl", "const uint kPlaneCount = 0u;",
      "const float kPlanes = 0.0; uint kPlaneCount = uint(kPlanes);",
      "`kPlanes` is specialization constant 3, which is a bool or an integer of 32 bits in the program"},
@@ -118,11 +118,11 @@ TEST(ShaderInterface, FeaturesThatAreNotEnabled) {
 
 TEST(ShaderInterface, EveryMisfitIsReportedOnce) {
   const ShaderFolder folder;
-  const std::string first = folder.replace("render.comp", "binding = kBindingWork)", "binding = 12)");
-  const std::string second = folder.replace("render.comp", "binding = kBindingResults)", "binding = 13)");
+  const std::string first = folder.replace("render.comp", "binding = kBindingWork)", "binding = 13)");
+  const std::string second = folder.replace("render.comp", "binding = kBindingResults)", "binding = 14)");
   const std::string message = folder.error();
-  EXPECT_EQ(message, first + "`Work` is binding 12, the program has bindings 0 to 11 only\n" + second +
-                         "`Results` is binding 13, the program has bindings 0 to 11 only");
+  EXPECT_EQ(message, first + "`Work` is binding 13, the program has bindings 0 to 12 only\n" + second +
+                         "`Results` is binding 14, the program has bindings 0 to 12 only");
 }
 
 TEST(ShaderInterface, WhatIsNotUsedMayDiffer) {

@@ -89,6 +89,7 @@ void writeJsonStatistics(std::FILE* stream, const Scene& scene, const GpuScene& 
                         {{"camera", result.counts.samples},
                          {"mirror", result.counts.mirrorRays},
                          {"shadow", result.counts.shadowRays},
+                         {"skippedCamera", result.counts.skippedSamples},
                          {"skippedShadow", result.counts.skippedShadowRays}}},
                        {"sampling", samplingJson(result)},
                        {"device", deviceJson(device, result)},

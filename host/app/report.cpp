@@ -100,9 +100,10 @@ void printStatistics(std::ostream& out, const Scene& scene, const GpuScene& gpuS
   out << "\n  SAH cost        " << bvh.sahCost << '\n';
   out << "rays\n  camera          " << result.counts.samples << " (" << result.samplesPerPixel
       << " a pixel, at most " << result.mostSamples << ")\n  mirror          " << result.counts.mirrorRays
-      << "\n  shadow          " << result.counts.shadowRays << "\nskipped\n  shadow rays     "
-      << result.counts.skippedShadowRays << "\n  black pixels    " << result.skippedPixels
-      << "\nsampling\n  stopped         " << stopReasonName(result.stopReason) << '\n';
+      << "\n  shadow          " << result.counts.shadowRays << "\nskipped\n  camera rays     "
+      << result.counts.skippedSamples << "\n  shadow rays     " << result.counts.skippedShadowRays
+      << "\n  black pixels    " << result.skippedPixels << "\nsampling\n  stopped         "
+      << stopReasonName(result.stopReason) << '\n';
   if (result.estimatedError > 0.0) {
     out << "  estimated RMSE  " << std::setprecision(6) << result.estimatedError << std::setprecision(2)
         << '\n';

@@ -6,6 +6,7 @@
 
 #include "core/errors.hpp"
 #include "render/scene_buffers.hpp"
+#include "render/tile_starts.hpp"
 #include "renderFewPrimitivesSpirv.spv.h"
 #include "renderSpirv.spv.h"
 
@@ -44,6 +45,7 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
                                : settings.sampler == Sampler::kSobol ? gpu::kSamplingSobol
                                                                      : gpu::kSamplingRandom;
   values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
+  values[gpu::kSpecHasTileStarts] = settings.specialized ? 1 : 0;
   if (!settings.specialized) {
     for (const gpu::uint feature : {gpu::kSpecHasSpheres, gpu::kSpecHasTriangles, gpu::kSpecHasCornerNormals,
                                     gpu::kSpecHasMirrors, gpu::kSpecHasSphericalLights}) {
@@ -60,6 +62,13 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
   return values;
 }
 
+// Where nothing is, a sample is black, unless a shader of the user's knows better or it is the rays that are
+// shown. One sample of each pixel is as fast as a list of the pixels where something is.
+bool skipsTiles(const GpuScene& scene, const RenderSettings& settings) {
+  if (!settings.specialized || takesCenterOnly(settings) || !settings.shader.empty()) return false;
+  return scene.planes.empty() && !scene.hasFewPrimitives && settings.view != View::kCost;
+}
+
 }  // namespace
 
 std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives) {
@@ -72,6 +81,8 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
                const RenderSettings& settings, std::uint64_t items)
     : device_(device),
       centerOnly_(takesCenterOnly(settings)),
+      starts_(tileStarts(scene, camera, settings)),
+      skipsTiles_(skipsTiles(scene, settings)),
       shader_(shaderOf(settings, scene.hasFewPrimitives)) {
   const std::uint64_t reachable =
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
@@ -83,6 +94,10 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
   const std::vector<float> filter = filterTable(settings.filter);
   constants_ = dispatchConstants(camera, settings, scene, filter.size());
   buffers_ = uploadScene(device, scene);
+  constants_.tileShift = starts_.shift;
+  constants_.tilesAcross = starts_.across;
+  buffers_.push_back(vulkan::Buffer::uploaded(device, "tiles", vulkan::BufferUse::kTexels,
+                                              std::as_bytes(std::span(starts_.groups))));
   const std::vector<float> noTable(4);
   buffers_.push_back(vulkan::Buffer::uploaded(device, "pixel filter", vulkan::BufferUse::kStorage,
                                               std::as_bytes(std::span(filter.empty() ? noTable : filter))));
@@ -108,19 +123,14 @@ std::size_t Tracer::deviceBytes() const {
 bool Tracer::run(std::uint64_t first, std::uint64_t end, const MakeItems& makeItems,
                  const TakeResults& takeResults, const Stop& stop) {
   using Clock = std::chrono::steady_clock;
-  auto* items = reinterpret_cast<gpu::WorkItem*>(buffers_[gpu::kBindingWork].bytes());
-  const auto* results = reinterpret_cast<const gpu::WorkResult*>(buffers_[gpu::kBindingResults].bytes());
   while (first < end) {
     if (stop()) return false;
     const auto pieceCount = static_cast<std::uint32_t>(
         std::min({static_cast<std::uint64_t>(pieceItems_), std::uint64_t{capacity_}, end - first}));
     const Clock::time_point start = Clock::now();
-    constants_.firstPixel = static_cast<gpu::uint>(first);
-    if (!centerOnly_) makeItems(first, {items, pieceCount});
-    dispatchUntilFinished(pieceCount);
-    takeResults(first, {results, pieceCount});
-    for (std::uint32_t i = 0; !centerOnly_ && i < pieceCount; ++i) counts_.samples += items[i].count;
-    if (centerOnly_) counts_.samples += pieceCount;
+    const std::uint32_t traced = makePiece(first, pieceCount, makeItems);
+    if (traced > 0) dispatchUntilFinished(traced);
+    takePiece(first, pieceCount, takeResults);
 
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // The first piece's time says nothing: drivers compile the shader in it.
@@ -131,6 +141,39 @@ bool Tracer::run(std::uint64_t first, std::uint64_t end, const MakeItems& makeIt
     first += pieceCount;
   }
   return true;
+}
+
+// Returns how many items there are to trace.
+std::uint32_t Tracer::makePiece(std::uint64_t first, std::uint32_t count, const MakeItems& makeItems) {
+  constants_.firstPixel = static_cast<gpu::uint>(first);
+  if (centerOnly_) {
+    counts_.samples += count;
+    return count;
+  }
+  const std::span items(reinterpret_cast<gpu::WorkItem*>(buffers_[gpu::kBindingWork].bytes()), count);
+  makeItems(first, items);
+  places_.clear();
+  std::uint32_t traced = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (skipsTiles_ && isEmpty(starts_, items[i].pixel, constants_.cropWidth)) {
+      counts_.skippedSamples += items[i].count;
+      continue;
+    }
+    counts_.samples += items[i].count;
+    if (skipsTiles_) places_.push_back(i);
+    items[traced++] = items[i];
+  }
+  return traced;
+}
+
+void Tracer::takePiece(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults) {
+  const auto* results = reinterpret_cast<const gpu::WorkResult*>(buffers_[gpu::kBindingResults].bytes());
+  if (skipsTiles_) {
+    allResults_.assign(count, {});
+    for (const std::uint32_t place : places_) allResults_[place] = *results++;
+    results = allResults_.data();
+  }
+  takeResults(first, {results, count});
 }
 
 vulkan::ComputeShader Tracer::makeShader(bool resumable) {

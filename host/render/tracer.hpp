@@ -7,13 +7,15 @@
 
 #include "core/flatten.hpp"
 #include "render/settings.hpp"
+#include "render/tile_starts.hpp"
 #include "vulkan/compute.hpp"
 
 namespace lavaray {
 
 struct TraceCounts {
   std::uint64_t dispatches = 0;
-  std::uint64_t samples = 0;  // camera rays
+  std::uint64_t samples = 0;         // camera rays
+  std::uint64_t skippedSamples = 0;  // through tiles of the image in which there is nothing
   // These are counted where the settings ask for it.
   std::uint64_t shadowRays = 0;
   std::uint64_t skippedShadowRays = 0;  // their light would add nothing, or nothing that shows
@@ -47,12 +49,16 @@ class Tracer {
   [[nodiscard]] std::size_t deviceBytes() const;
 
  private:
+  std::uint32_t makePiece(std::uint64_t first, std::uint32_t count, const MakeItems& makeItems);
+  void takePiece(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults);
   void dispatchUntilFinished(std::uint32_t count);
   gpu::DispatchStatus dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint pass);
   vulkan::ComputeShader makeShader(bool resumable);
 
   vulkan::Device& device_;
   bool centerOnly_;
+  TileStarts starts_;
+  bool skipsTiles_;  // those without a start
   gpu::DispatchConstants constants_{};
   std::uint32_t capacity_;                 // items of the largest piece
   double pieceItems_;                      // of the next piece
@@ -63,6 +69,9 @@ class Tracer {
   // One of them: the first, unless the scene has too many lights for it, until it gives an item up.
   std::optional<vulkan::ComputeShader> direct_;
   std::optional<vulkan::ComputeShader> resumable_;
+  // Of a piece where tiles are skipped: the places of the items that are traced, and all results.
+  std::vector<std::uint32_t> places_;
+  std::vector<gpu::WorkResult> allResults_;
   TraceCounts counts_;
 };
 

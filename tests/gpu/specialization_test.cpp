@@ -90,6 +90,35 @@ TEST(Specialization, SkipsPixelsThatNothingCanShowIn) {
   expectSameBits(scene, settings, "background");
 }
 
+// Balls in two corners: between them is nothing, and samples there are not traced.
+TEST(Specialization, SkipsCameraRaysThroughTilesWithNothing) {
+  Scene scene;
+  scene.camera = {{0, 0, 0}, 60.0, 150.0, 1.0};
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    scene.materials.push_back({glm::dvec3(0.3 + 0.05 * i), glm::dvec3(0.2), glm::dvec3(0.0), 1.0});
+    scene.spheres.push_back({{side * (3.0 + 0.1 * i), side * (4.0 - 0.2 * i), -9.0 - 0.3 * i}, 0.4, i});
+  }
+  const ImageSize size = imageSize(scene.camera).value();
+  RenderSettings settings;
+  settings.size = size;
+  settings.crop = {0, 0, size.width, size.height};
+  settings.samples = 3;
+  settings.filter = PixelFilter::kBlackmanHarris;
+  const RenderResult result = renderScene(scene, settings);
+  const std::uint64_t samples = std::uint64_t{3} * size.width * size.height - 3 * result.skippedPixels;
+  EXPECT_EQ(result.counts.samples + result.counts.skippedSamples, samples);
+  EXPECT_GT(result.counts.skippedSamples, samples / 2);
+  for (const View view :
+       {View::kColor, View::kNormal, View::kDepth, View::kObject, View::kShadow, View::kCost}) {
+    settings.view = view;
+    expectSameBits(scene, settings, "view " + std::to_string(static_cast<int>(view)));
+  }
+  settings.view = View::kColor;
+  settings.targetError = 0.02;
+  expectSameBits(scene, settings, "target error");
+}
+
 // Nothing reaches the eye from a light behind the surface, nor from one more light on what is white already.
 TEST(Specialization, SkipsShadowRaysThatCannotChangeAPixel) {
   Scene scene;

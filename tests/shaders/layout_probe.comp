@@ -59,7 +59,7 @@ void main() {
   put(constants.cropX, end); put(constants.cropY, end); put(constants.cropWidth, end);
   put(constants.itemCount, end); put(constants.pass, end); put(constants.seed, end);
   put(constants.maxDepth, end); put(constants.filterSize, end);
-  put(constants.firstPixel, end); put(constants.padding0, end); put(constants.padding1, end);
+  put(constants.firstPixel, end); put(constants.tileShift, end); put(constants.tilesAcross, end);
   const WorkItem item = items[1];
   put(item.pixel, end); put(item.sequence, end); put(item.first, end); put(item.count, end);
   const WorkState state = states[1];

@@ -9,7 +9,7 @@ namespace lavaray::gpu {
 #endif
 
 // A probe's own buffers follow the scene's.
-const uint kBindingProbeIn = kBindingFilter;
+const uint kBindingProbeIn = kSceneBindings;
 const uint kBindingProbeOut = kBindingProbeIn + 1u;
 
 struct ProbeRay {

@@ -18,9 +18,9 @@ void main() {
   Hit hit = missUpTo(probe.tMax);
   bool finished;
   if (constants.mode == kTraceClosest) {
-    finished = traverse(false, ray, probe.skipped, hit);
+    finished = traverse(false, ray, probe.skipped, kRootGroup, hit);
   } else if (constants.mode == kTraceAny) {
-    finished = traverse(true, ray, probe.skipped, hit);
+    finished = traverse(true, ray, probe.skipped, kRootGroup, hit);
   } else {
     const RayConstants rayConstants = rayConstants(ray);
     uint i = 0u;

@@ -9,7 +9,7 @@ namespace lavaray::gpu {
 #endif
 
 // The benchmark's own buffers follow the scene's.
-const uint kBindingBatchRays = kBindingFilter;
+const uint kBindingBatchRays = kSceneBindings;
 const uint kBindingBatchResults = kBindingBatchRays + 1u;
 
 // Specialization constants that follow the renderer's.

@@ -27,7 +27,7 @@ void main() {
     return;
   }
   Hit hit = missUpTo(tMax);
-  const bool finished = findHit(kBatchMode == kBatchAny, ray, skipped, hit);
+  const bool finished = findHit(kBatchMode == kBatchAny, ray, skipped, kRootGroup, hit);
   const float nan = uintBitsToFloat(0x7FC00000u);
   distances[index] = !finished ? nan : (hit.surface == kNoSurface ? kInfinity : hit.t);
 }

@@ -18,6 +18,6 @@ void main() {
   PathState path = PathState(vec3(0.0), 0u, 0u, 0u);
   RayCounts counts = RayCounts(0u, 0u, 0u);
   const PathSettings settings = PathSettings(constants.maxDepth, 0u, index);
-  const bool finished = tracePath(ray, settings, path, counts);
+  const bool finished = tracePath(ray, kRootGroup, settings, path, counts);
   colors[index] = PathColor(path.color, finished ? 1u : 0u);
 }

@@ -24,7 +24,7 @@ void main() {
   const SurfaceQuery query = queries[index];
   const Ray ray = Ray(query.origin, query.direction);
   Hit hit = missUpTo(kInfinity);
-  findHit(false, ray, kNoSurface, hit);
+  findHit(false, ray, kNoSurface, kRootGroup, hit);
   SurfaceAnswer answer;
   answer.surface = hit.surface;
   if (hit.surface != kNoSurface) {
@@ -40,7 +40,7 @@ void main() {
     answer.leaving = leaving.direction;
     Hit next = missUpTo(kInfinity);
     const uint skipped = query.skipsItself != 0u ? hit.surface : kNoSurface;
-    findHit(false, leaving, skipped, next);
+    findHit(false, leaving, skipped, kRootGroup, next);
     answer.hitsItself = next.surface == hit.surface ? 1u : 0u;
     bool blocked;
     findShadow(point, hit.surface, query.light, blocked);

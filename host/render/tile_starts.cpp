@@ -1,0 +1,126 @@
+#include "render/tile_starts.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/vec2.hpp>
+
+#include "core/wide_bvh.hpp"
+#include "render/pixel_filter.hpp"
+
+namespace lavaray {
+namespace {
+
+// Smaller tiles start deeper but take longer to prepare; the array stays small for the largest images.
+constexpr std::uint32_t kSmallestShift = 3;
+constexpr std::uint64_t kMostTiles = 1U << 18U;
+// How far a ray may pass by a box that it hits nonetheless, as the shader rounds; far more than it does.
+constexpr double kRoundingPixels = 0.5;
+
+// The directions through some pixels: x / -z and y / -z, from the camera.
+struct Slopes {
+  glm::dvec2 lower;
+  glm::dvec2 upper;
+};
+
+class Planner {
+ public:
+  Planner(const GpuScene& scene, const Camera& camera, const RenderSettings& settings, TileStarts& result)
+      : scene_(scene), settings_(settings), result_(result) {
+    const ImageSize plane = imageSize(camera).value();
+    half_ = glm::dvec2(plane.width, plane.height) / 2.0 / camera.focalLength;
+    pixel_ = 2.0 * half_ / glm::dvec2(settings.size.width, settings.size.height);
+    reach_ = filterReach(settings.filter) + kRoundingPixels;
+  }
+
+  // Sets the starts of the tiles in a square of 2^level of them. All that they reach is in `start`.
+  void plan(std::uint32_t x, std::uint32_t y, std::uint32_t level, gpu::uint start) {
+    if (x >= result_.across || y >= down()) return;
+    start = descend(start, slopes(x, y, level));
+    if (level == 0) {
+      result_.groups[std::size_t{y} * result_.across + x] = start;
+      return;
+    }
+    const std::uint32_t half = 1U << (level - 1);
+    for (const std::uint32_t dy : {0U, half}) {
+      for (const std::uint32_t dx : {0U, half}) plan(x + dx, y + dy, level - 1, start);
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t down() const {
+    const auto height = static_cast<std::uint32_t>(settings_.crop.y1 - settings_.crop.y0);
+    return (height + (1U << result_.shift) - 1) >> result_.shift;
+  }
+
+  [[nodiscard]] Slopes slopes(std::uint32_t x, std::uint32_t y, std::uint32_t level) const {
+    const double side = std::uint64_t{1} << (level + result_.shift);
+    const glm::dvec2 first(settings_.crop.x0 + (double(x) * (1U << result_.shift)),
+                           settings_.crop.y0 + (double(y) * (1U << result_.shift)));
+    const glm::dvec2 lower = (first - reach_) * pixel_ - half_;
+    const glm::dvec2 upper = (first + side + reach_) * pixel_ - half_;
+    return {{lower.x, -upper.y}, {upper.x, -lower.y}};
+  }
+
+  // The group of the one child that the directions reach, as far down as there is one.
+  [[nodiscard]] gpu::uint descend(gpu::uint group, const Slopes& slopes) const {
+    while (group != 0) {
+      const gpu::BvhNode& node = scene_.nodes[group >> gpu::kGroupNodeShift];
+      const gpu::uint child = node.children[static_cast<int>((group >> gpu::kGroupSlotsShift) & 3U)];
+      if (child > gpu::kMaxReference) return group;
+      int reached = 0;
+      gpu::uint only = 0;
+      for (gpu::uint slot = 0; slot < gpu::kNodeWidth; ++slot) {
+        if (!reaches(slopes, childBox(scene_.nodes[child], static_cast<int>(slot)))) continue;
+        ++reached;
+        only = child << gpu::kGroupNodeShift | slot << gpu::kGroupSlotsShift | 1U;
+      }
+      if (reached > 1) return group;
+      group = only;
+    }
+    return group;
+  }
+
+  // Whether a point of the box, which may be a child that is not there, lies in one of the directions.
+  static bool reaches(const Slopes& slopes, const Box& box) {
+    if (box.lower.x > box.upper.x || box.lower.z > 0.0F) return false;
+    // Distances before the camera, where the bounds of the directions are farthest out.
+    const std::array<double, 2> depths{std::max(0.0, -double{box.upper.z}), -double{box.lower.z}};
+    const auto isBeyond = [&](double bound, double side) {
+      return side > std::max(bound * depths[0], bound * depths[1]);
+    };
+    return !isBeyond(slopes.upper.x, box.lower.x) && !isBeyond(-slopes.lower.x, -double{box.upper.x}) &&
+           !isBeyond(slopes.upper.y, box.lower.y) && !isBeyond(-slopes.lower.y, -double{box.upper.y});
+  }
+
+  const GpuScene& scene_;
+  const RenderSettings& settings_;
+  TileStarts& result_;
+  glm::dvec2 half_;  // of the image
+  glm::dvec2 pixel_;
+  double reach_;
+};
+
+}  // namespace
+
+TileStarts tileStarts(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
+  const auto width = static_cast<std::uint64_t>(settings.crop.x1 - settings.crop.x0);
+  const auto height = static_cast<std::uint64_t>(settings.crop.y1 - settings.crop.y0);
+  const auto tiles = [](std::uint64_t pixels, std::uint32_t shift) {
+    return (pixels + (1U << shift) - 1) >> shift;
+  };
+  TileStarts result{kSmallestShift, 0, {}};
+  while (tiles(width, result.shift) * tiles(height, result.shift) > kMostTiles) ++result.shift;
+  result.across = static_cast<std::uint32_t>(tiles(width, result.shift));
+  const std::uint64_t count = result.across * tiles(height, result.shift);
+  result.groups.resize((count + gpu::kTileStartsPerTexel - 1) / gpu::kTileStartsPerTexel *
+                       gpu::kTileStartsPerTexel);
+  if (scene.nodes.empty() || scene.hasFewPrimitives) return result;
+  std::uint32_t levels = 0;
+  while ((std::uint64_t{1} << levels) < std::max<std::uint64_t>(result.across, tiles(height, result.shift)))
+    ++levels;
+  Planner(scene, camera, settings, result).plan(0, 0, levels, gpu::kRootGroup);
+  return result;
+}
+
+}  // namespace lavaray
