@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -13,8 +14,9 @@ BUILD = ROOT / "build"
 
 DESCRIPTION = """\
 Measures lavaray's speed: rays, pictures and builds against Embree 3 in one process (the program bench-speed, which
-this builds), and whole programs, from scene file to image file, against POV-Ray 3.7. Both are optional: what is
-missing is named. Prints tables and saves them with all times (JSON) and a plot of time against size (SVG).
+this builds), specialized against general pipelines, and whole programs, from scene file to image file, against
+POV-Ray 3.7. Embree and POV-Ray are optional: what is missing is named. Prints tables and saves them with all times
+(JSON) and a plot of time against size (SVG).
 """
 
 EPILOG = """\
@@ -33,7 +35,8 @@ def parse_options(arguments):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("-h", "--help", action="store_true", help="print this and the options of the program bench-speed")
-    add("--only", choices=("rays", "processes"), help="one half: the program bench-speed, or whole programs")
+    add("--only", choices=("rays", "pipelines", "processes"),
+        help="one part: the program bench-speed, specialized against general pipelines, or whole programs")
     add("--out", type=Path, default=BUILD / "bench-speed", metavar="FOLDER",
         help="for results (default: build/bench-speed of this checkout)")
     add("--quick", action="store_true", help="a first look: few scenes, 3 rounds")
@@ -50,7 +53,7 @@ def parse_options(arguments):
 
 
 def program(name):
-    return BUILD / ("tools/bench_speed" if name == "bench-speed" else "host") / name
+    return BUILD / ("tools/bench_speed" if name.startswith("bench-") else "host") / name
 
 
 def program_help():
@@ -86,6 +89,18 @@ def measure_rays(options):
     print(f"\nsaved in {options.out}: rays.txt, rays.json, rays.svg")
 
 
+def measure_pipelines(options):
+    """Specialized against general pipelines, without a cache of shaders."""
+    command = [program("bench-pipelines"), str(options.rounds), options.device or "",
+               *sorted((ROOT / "scenes").glob("*.txt")), *sorted((ROOT.parent / "shared/course").glob("scene?.txt"))]
+    run = subprocess.run(command, capture_output=True, text=True, check=False,
+                         env=os.environ | {"MESA_SHADER_CACHE_DISABLE": "true"})
+    if run.returncode != 0:
+        raise processes.ProgramError(f"bench-pipelines failed: {run.stderr}")
+    print("\n" + run.stdout)
+    (options.out / "pipelines.txt").write_text(run.stdout)
+
+
 def measure_processes(options):
     results = processes.measure(program("lavaray"), program("lavaray-diff"), ROOT.parent / "shared", options.out,
                                 options.rounds, ["--device", options.device] if options.device else [])
@@ -102,10 +117,12 @@ def main(arguments=None):
         if options.help:
             return 0
         options.out.mkdir(parents=True, exist_ok=True)
-        build(["bench-speed", "lavaray", "lavaray-diff"])
-        if options.only != "processes":
+        build(["bench-speed", "bench-pipelines", "lavaray", "lavaray-diff"])
+        if options.only in (None, "rays"):
             measure_rays(options)
-        if options.only != "rays":
+        if options.only in (None, "pipelines"):
+            measure_pipelines(options)
+        if options.only in (None, "processes"):
             measure_processes(options)
     except (processes.ProgramError, subprocess.CalledProcessError, OSError) as error:
         print(f"bench-speed: {error}", file=sys.stderr)

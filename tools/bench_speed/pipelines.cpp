@@ -1,0 +1,104 @@
+// Measures what specialization is worth: for each scene the time until the pipeline that has only what the
+// scene needs has traced a first pixel, and the time of a picture by it, against the general pipeline. Run
+// without a cache of shaders (tools/bench-speed sees to that), as a cached one needs no compiling.
+#include <charconv>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/program.hpp"
+#include "core/camera.hpp"
+#include "core/errors.hpp"
+#include "core/flatten.hpp"
+#include "core/scene_reader.hpp"
+#include "measure.hpp"
+#include "render/tracer.hpp"
+#include "vulkan/device.hpp"
+
+namespace lavaray::bench {
+namespace {
+
+constexpr int kColdRounds = 3;
+constexpr const char* kUsage =
+    "usage: bench-pipelines ROUNDS DEVICE SCENE... (DEVICE may be empty: the best one)";
+
+struct Pipeline {
+  const GpuScene& gpuScene;
+  const Scene& scene;
+  RenderSettings settings;
+};
+
+Tracer makeTracer(vulkan::Device& device, const Pipeline& pipeline, std::uint64_t items) {
+  return {device, pipeline.gpuScene, pipeline.scene.camera, pipeline.settings, items};
+}
+
+void trace(Tracer& tracer, std::uint64_t pixels) {
+  tracer.run(
+      0, pixels, {}, [](std::uint64_t, std::span<const gpu::WorkResult>) {}, [] { return false; });
+}
+
+// Milliseconds of the clock until the first pixel, and of the processors for a picture; least of the rounds.
+void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
+  const Scene scene = readScene(file);
+  const GpuScene gpuScene = flatten(scene, 1);
+  RenderSettings settings;
+  settings.size = imageSize(scene.camera).value();
+  settings.crop = {0, 0, settings.size.width, settings.size.height};
+  const Pipeline specialized{gpuScene, scene, settings};
+  settings.specialized = false;
+  const Pipeline general{gpuScene, scene, settings};
+  const auto pixels =
+      static_cast<std::uint64_t>(settings.size.width) * static_cast<std::uint64_t>(settings.size.height);
+
+  const auto first = [&](const Pipeline& pipeline) {
+    Tracer tracer = makeTracer(device, pipeline, 1);
+    trace(tracer, 1);
+  };
+  const std::vector<Timing> cold = measure(
+      {{"general", [&] { first(general); }}, {"specialized", [&] { first(specialized); }}}, kColdRounds);
+
+  Tracer generalTracer = makeTracer(device, general, pixels);
+  Tracer specializedTracer = makeTracer(device, specialized, pixels);
+  for (int i = 0; i < 2; ++i) {  // in which they find the size of their dispatches
+    trace(generalTracer, pixels);
+    trace(specializedTracer, pixels);
+  }
+  const std::vector<Timing> pictures = measure({{"general", [&] { trace(generalTracer, pixels); }},
+                                                {"specialized", [&] { trace(specializedTracer, pixels); }}},
+                                               rounds);
+  std::cout << std::left << std::setw(24) << scene.file.filename().string() << std::right << std::fixed;
+  for (const double value : {1e3 * least(cold[0].wall), 1e3 * least(cold[1].wall),
+                             1e3 * least(pictures[0].cpu), 1e3 * least(pictures[1].cpu)}) {
+    std::cout << std::setprecision(1) << std::setw(10) << value;
+  }
+  std::cout << std::setprecision(2) << std::setw(10) << least(cold[1].wall) / least(cold[0].wall)
+            << std::setw(10) << least(pictures[1].cpu) / least(pictures[0].cpu) << std::endl;
+}
+
+ExitCode run(std::span<const char* const> arguments) {
+  int rounds = 0;
+  const std::string text = arguments.size() < 4 ? "" : arguments[1];
+  std::from_chars(text.data(), text.data() + text.size(), rounds);
+  if (rounds < 1) throw Error(ExitCode::kUsage, kUsage);
+  const vulkan::Instance instance(false);
+  vulkan::Device device(vulkan::chooseDevice(instance, arguments[2]));
+  std::cout << "device " << device.description().name << ", least of " << rounds << " rounds, " << kColdRounds
+            << " of the first pixel\n"
+            << std::left << std::setw(24) << "" << std::right
+            << "  first pixel, wall ms    picture, CPU ms     specialized / general\n"
+            << std::setw(24) << ""
+            << "   general  special.   general  special.    first   picture\n";
+  for (const char* scene : arguments.subspan(3)) measureScene(device, scene, rounds);
+  return ExitCode::kSuccess;
+}
+
+}  // namespace
+}  // namespace lavaray::bench
+
+int main(int argc, char** argv) {
+  return lavaray::runProgram("bench-pipelines", [&] {
+    return lavaray::bench::run({argv, static_cast<std::size_t>(argc)});
+  });
+}
