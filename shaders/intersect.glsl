@@ -2,6 +2,7 @@
 //
 // The sign of a difference of products decides hit or miss here. `precise` forbids the compiler to contract or
 // to reorder it: rounding alone never turns such a sign, it can only make it zero, and zero counts as inside.
+// It holds for what is computed into the variable, not for a condition, so all arithmetic has its variable.
 // A ray is o + t d, where d may have any length; a hit has 0 < t < infinity. The tests are written so that a
 // NaN fails them.
 #ifndef INTERSECT_GLSL
@@ -28,15 +29,18 @@ vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : 
 
 RayConstants rayConstants(Ray ray) {
   RayConstants constants;
-  constants.inverse = 1.0 / ray.direction;
+  precise const vec3 inverse = 1.0 / ray.direction;
+  constants.inverse = inverse;
   constants.negative = lessThan(constants.inverse, vec3(0.0));
   const vec3 size = abs(ray.direction);
   constants.axis = size.z >= size.x && size.z >= size.y ? 2u : (size.y >= size.x ? 1u : 0u);
   const vec3 direction = permute(ray.direction, constants.axis);
   // 2^-e for |z| = m 2^e, by its exponent bits: e becomes -e.
   const uint exponentBits = floatBitsToUint(direction.z) & 0x7F800000u;
-  constants.shear = direction * uintBitsToFloat(0x7F000000u - exponentBits);
-  constants.inverseZ = 1.0 / direction.z;
+  precise const vec3 shear = direction * uintBitsToFloat(0x7F000000u - exponentBits);
+  precise const float inverseZ = 1.0 / direction.z;
+  constants.shear = shear;
+  constants.inverseZ = inverseZ;
   return constants;
 }
 
@@ -96,20 +100,22 @@ float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c,
 // Based on: Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
 float intersectSphere(Ray ray, vec3 center, float radius) {
   precise const vec3 f = ray.origin - center;
-  precise const float a = dot(ray.direction, ray.direction);
-  precise const float b = -dot(f, ray.direction);
+  const float a = preciseDot(ray.direction, ray.direction);
+  const float b = -preciseDot(f, ray.direction);
   const vec3 size = abs(f);
   const float m = maxComponent(size);
   const vec2 others = size.x == m ? size.yz : (size.y == m ? size.xz : size.xy);
-  precise const float c = (m - radius) * (m + radius) + dot(others, others);
+  precise const float c = (m - radius) * (m + radius) + (others.x * others.x + others.y * others.y);
   if (!(b > 0.0 && c > 0.0)) return kInfinity;
   precise const float radius2 = radius * radius;
+  precise const float b2 = b * b;
+  precise const float huge = a * radius2;
   precise float discriminant;
-  if (b * b < a * radius2) {
-    discriminant = b * b - a * c;
+  if (b2 < huge) {
+    discriminant = b2 - a * c;
   } else {
     precise const vec3 offset = f + (b / a) * ray.direction;
-    discriminant = a * (radius2 - dot(offset, offset));
+    discriminant = a * (radius2 - preciseDot(offset, offset));
   }
   if (!(discriminant >= 0.0)) return kInfinity;
   precise const float t = c / (b + sqrt(discriminant));
@@ -118,7 +124,7 @@ float intersectSphere(Ray ray, vec3 center, float radius) {
 
 // Distance to the plane, or infinity.
 float intersectPlane(Ray ray, vec3 normal, float distance) {
-  precise const float t = (distance - dot(normal, ray.origin)) / dot(normal, ray.direction);
+  precise const float t = (distance - preciseDot(normal, ray.origin)) / preciseDot(normal, ray.direction);
   return t > 0.0 ? t : kInfinity;  // 0 / 0 is a ray inside the plane: NaN, a miss; x / 0 is infinite
 }
 

@@ -61,7 +61,7 @@ SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direc
 }
 
 SurfacePoint surfacePoint(Ray ray, Hit hit) {
-  const vec3 near = ray.origin + hit.t * ray.direction;
+  precise const vec3 near = ray.origin + hit.t * ray.direction;
   if (kPlaneCount > 0u && (hit.surface & kPlaneBit) != 0u) {
     const Plane plane = fetchPlane(hit.surface & ~kPlaneBit);
     return pointOnPlane(near, plane.normal, plane.distance, ray.direction);
