@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <regex>
 #include <set>
 #include <span>
 
@@ -31,14 +30,16 @@ std::string describe(const Arithmetic& arithmetic) {
 const std::set<std::string> kOffsets{"decodeSides",     "preciseDot",   "pointOnPlane", "pointOnSphere",
                                      "pointOnTriangle", "surfacePoint", "leave"};
 
-// And all of intersect.glsl, by its source, so that a new test cannot be forgotten here.
+// And all of intersect.glsl, by its source, so that a new test cannot be forgotten here: the lines that are
+// not indented, begin with a type, a space and a name, and go on with a parenthesis.
 std::set<std::string> functionsOfIntersect() {
   std::set<std::string> names;
   std::ifstream file(LAVARAY_SHADERS_DIR "/intersect.glsl");
-  const std::regex definition(R"(^\w+ (\w+)\(.*)");
-  std::smatch match;
   for (std::string line; std::getline(file, line);) {
-    if (std::regex_match(line, match, definition)) names.insert(match[1]);
+    const std::size_t space = line.find(' ');
+    const std::size_t parenthesis = line.find('(');
+    if (parenthesis == std::string::npos || space == 0 || space > parenthesis || line[0] == '/') continue;
+    names.insert(line.substr(space + 1, parenthesis - space - 1));
   }
   return names;
 }
