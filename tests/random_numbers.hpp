@@ -7,7 +7,8 @@
 
 namespace lavaray {
 
-// What tests draw by chance; the same from the same seed.
+// What tests draw by chance; the same from the same seed as long as no expression draws twice: compilers
+// differ in which of its parts they evaluate first.
 
 using Random = std::mt19937;
 

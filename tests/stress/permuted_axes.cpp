@@ -27,8 +27,7 @@ gpu::ShapeQuery randomShape(gpu::uint shape, Random& random) {
   query.origin = randomVector(random, 4.0F);
   query.a = randomVector(random, 2.0F);
   query.direction = query.a + randomVector(random, 1.0F) - query.origin;
-  query.b = query.a +
-            glm::vec3(uniform(random, 0.0F, 2.0F), uniform(random, 0.0F, 2.0F), uniform(random, 0.0F, 2.0F));
+  query.b = query.a + glm::vec3(1.0F) + randomVector(random, 1.0F);
   if (shape == gpu::kShapeTriangle) {
     query.b = query.a + randomVector(random, 3.0F);
     query.c = query.a + randomVector(random, 3.0F);

@@ -62,8 +62,8 @@ gpu::ShapeQuery distantSphere(double distance, bool fromOrigin, Random& random) 
   const double radius = std::exp2(uniform(random, -10.0, 10.0));
   const glm::dvec3 axis = randomDirection(random);
   const glm::dvec3 side = glm::normalize(glm::cross(axis, randomDirection(random)));
-  const glm::vec3 origin(
-      fromOrigin ? glm::dvec3(0.0) : distance * radius * uniform(random, 0.0, 1.0) * randomDirection(random));
+  const double away = fromOrigin ? 0.0 : distance * radius * uniform(random, 0.0, 1.0);
+  const glm::vec3 origin(away * randomDirection(random));
   const glm::vec3 center(glm::dvec3(origin) + distance * radius * axis);
   const glm::dvec3 target = glm::dvec3(center) + 1.02 * radius * std::sqrt(uniform(random, 0.0, 1.0)) * side;
   gpu::ShapeQuery query{};

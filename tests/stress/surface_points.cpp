@@ -109,8 +109,8 @@ TEST(Normal, HasUnitLength) {
   std::vector<gpu::SurfaceQuery> queries(sized(50'000, 500'000));
   for (gpu::SurfaceQuery& query : queries) {
     const auto& positions = torus.meshes.at(0).positions;
-    const glm::dvec3 target = positions[random() % positions.size()] + randomPoint(random, 0.3);
-    query.direction = target - torus.camera.position;
+    const glm::dvec3& vertex = positions[random() % positions.size()];
+    query.direction = vertex + randomPoint(random, 0.3) - torus.camera.position;
   }
   std::size_t smooth = 0;
   double largest = 0.0;

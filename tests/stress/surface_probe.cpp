@@ -34,8 +34,8 @@ std::vector<SurfaceScene> scenesOfSizes(std::initializer_list<double> sizes, con
       if (size < kSmallestSize * offset) continue;
       SurfaceScene scene{nameOf(size, offset), {}, size, offset};
       for (int i = 0; i < kSurfaces; ++i) {
-        const glm::dvec3 center = offset * randomDirection(random) + randomPoint(random, 2.0 * size);
-        addSurface(scene.scene, rounded(center), size, random);
+        const glm::dvec3 middle = offset * randomDirection(random);
+        addSurface(scene.scene, rounded(middle + randomPoint(random, 2.0 * size)), size, random);
       }
       scenes.push_back(std::move(scene));
     }
@@ -46,7 +46,8 @@ std::vector<SurfaceScene> scenesOfSizes(std::initializer_list<double> sizes, con
 // On the plane, at most 2^reach sizes away from the point that is nearest to the camera.
 glm::dvec3 randomTarget(const glm::dvec3& unitNormal, const glm::dvec3& point, double size, double reach,
                         Random& random) {
-  const glm::dvec3 away = size * std::exp2(uniform(random, -10.0, reach)) * randomDirection(random);
+  const double distance = size * std::exp2(uniform(random, -10.0, reach));
+  const glm::dvec3 away = distance * randomDirection(random);
   return glm::dot(unitNormal, point) * unitNormal + away - glm::dot(away, unitNormal) * unitNormal;
 }
 
@@ -54,7 +55,8 @@ glm::dvec3 randomTarget(const SurfaceScene& surfaces, Random& random) {
   const Scene& scene = surfaces.scene;
   if (!scene.spheres.empty()) {
     const Sphere& sphere = scene.spheres[random() % scene.spheres.size()];
-    return sphere.center + sphere.radius * std::cbrt(uniform(random, 0.0, 1.0)) * randomDirection(random);
+    const double distance = sphere.radius * std::cbrt(uniform(random, 0.0, 1.0));
+    return sphere.center + distance * randomDirection(random);
   }
   if (!scene.triangles.empty()) {
     const auto& v = scene.triangles[random() % scene.triangles.size()].vertices;
@@ -102,9 +104,16 @@ std::vector<SurfaceScene> triangleScenes() {
 std::vector<SurfaceScene> sliverScenes() {
   return scenesOfSizes({1e-1, 1.0, 1e2},
                        [](Scene& scene, const glm::dvec3& center, double size, Random& random) {
-                         const glm::dvec3 u = size * randomDirection(random);
-                         const glm::dvec3 v = 0.5 * u + randomPoint(random, 1e-3 * size);
-                         addTriangle(scene, center, rounded(center + u), rounded(center + v));
+                         glm::dvec3 b;
+                         glm::dvec3 c;
+                         // Far away rounding can leave a sliver without area, which the reader refuses.
+                         do {
+                           const glm::dvec3 u = size * randomDirection(random);
+                           const glm::dvec3 v = 0.5 * u + randomPoint(random, 1e-3 * size);
+                           b = rounded(center + u);
+                           c = rounded(center + v);
+                         } while (glm::cross(b - center, c - center) == glm::dvec3(0.0));
+                         addTriangle(scene, center, b, c);
                        });
 }
 
