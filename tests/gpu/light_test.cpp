@@ -124,6 +124,8 @@ void expectUniformWithinTheCone(const Case& test, const glm::vec3& position) {
   // Of the coordinates that a sample is computed from.
   const double magnitude =
       glm::length(glm::dvec3(light.position)) + glm::length(glm::dvec3(position)) + light.radius;
+  // Vulkan promises a sine and a cosine to within 2^-11 only, and they may both be off.
+  const double ofTheTurn = isLavapipe() ? 0.0 : 0x1p-11 * std::numbers::sqrt2 * cone.sine;
   for (const gpu::uint sampling : {gpu::kSamplingRandom, gpu::kSamplingSobol}) {
     Directions directions(cone);
     double farthest = 0.0;  // of a target from the light's surface
@@ -134,8 +136,8 @@ void expectUniformWithinTheCone(const Case& test, const glm::vec3& position) {
       const double off = glm::distance(glm::dvec3(sample.target), glm::dvec3(light.position)) - light.radius;
       farthest = std::max(farthest, std::abs(off));
     }
-    EXPECT_LE(directions.excess(), 6.0 * kHalfUlp) << test.name;
-    EXPECT_LE(farthest, 16.0 * kHalfUlp * magnitude) << test.name;
+    EXPECT_LE(directions.excess(), 6.0 * kHalfUlp + ofTheTurn) << test.name;
+    EXPECT_LE(farthest, (16.0 * kHalfUlp + ofTheTurn) * magnitude) << test.name;
     const double probability = directions.probability();
     if (test.isResolved) {
       EXPECT_GT(probability, 0.001) << test.name;

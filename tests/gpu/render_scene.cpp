@@ -15,8 +15,12 @@ RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size, std:
 }
 
 RenderResult renderScene(const Scene& scene, RenderSettings settings) {
+  return renderScene(testDevice(), scene, settings);
+}
+
+RenderResult renderScene(vulkan::Device& device, const Scene& scene, RenderSettings settings) {
   settings.countRays = true;
-  return render(testDevice(), flatten(scene, 2), scene.camera, settings);
+  return render(device, flatten(scene, 2), scene.camera, settings);
 }
 
 ImageSize reducedSize(const Camera& camera, int longest) {

@@ -15,6 +15,8 @@ RenderResult renderScene(const Scene& scene, std::optional<ImageSize> size = {},
 
 RenderResult renderScene(const Scene& scene, RenderSettings settings);
 
+RenderResult renderScene(vulkan::Device& device, const Scene& scene, RenderSettings settings);
+
 // The camera's size, reduced so that no side is longer than `longest`.
 ImageSize reducedSize(const Camera& camera, int longest);
 

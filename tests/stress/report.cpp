@@ -29,7 +29,9 @@ std::string shortNumber(double number) {
 
 void report(const std::string& figure) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  std::cout << "figure: " << test->test_suite_name() << '.' << test->name() << ": " << figure << std::endl;
+  const char* device = std::getenv("LAVARAY_TEST_DEVICE");
+  std::cout << "figure: " << (device != nullptr ? std::string(device) + ": " : "") << test->test_suite_name()
+            << '.' << test->name() << ": " << figure << std::endl;
 }
 
 }  // namespace lavaray

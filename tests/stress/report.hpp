@@ -22,8 +22,8 @@ std::string grouped(std::uint64_t number);
 // Three significant digits.
 std::string shortNumber(double number);
 
-// Prints what the running test has found, success or not: "figure: Suite.Test: 0 leaks in 1,000,000 rays".
-// tools/test collects these lines.
+// Prints what the running test has found, success or not: "figure: Suite.Test: 0 leaks in 1,000,000 rays";
+// before the name stands the device, where one is chosen for the tests. tools/test collects these lines.
 void report(const std::string& figure);
 
 }  // namespace lavaray
