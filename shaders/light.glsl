@@ -37,7 +37,8 @@ LightSample sampleSphericalLight(Light light, vec3 position, vec2 u) {
   vec3 y;
   const vec3 z = distance > 0.0 ? axis / distance : vec3(0.0, 0.0, 1.0);
   orthonormalBasis(z, x, y);
-  const float angle = 6.2831853 * u.y;
+  // Within +-pi: Vulkan says nothing about the sine and cosine of larger angles.
+  const float angle = 6.2831853 * (u.y < 0.5 ? u.y : u.y - 1.0);
   const vec3 toLight = unit(sine * (cos(angle) * x + sin(angle) * y) + (1.0 - oneMinusCosine) * z);
 
   const float along = distance * (1.0 - oneMinusCosine);
