@@ -17,11 +17,13 @@ set(on_swiftshader VK_ADD_DRIVER_FILES=${LAVARAY_SWIFTSHADER_ICD} LAVARAY_TEST_D
 add_test(NAME swiftshader-against-lavapipe COMMAND driver_tests)
 add_test(NAME swiftshader-conformance COMMAND conformance_tests)
 # Left out is what tests statistics of samples rather than the device, with up to a million samples a pixel, and what
-# is large: an image of 8192 x 8192 pixels, 65,535 spherical lights.
+# is large: an image of 8192 x 8192 pixels, and more lights than SwiftShader's texel buffers hold, 65,536 texels.
 add_test(NAME swiftshader-gpu COMMAND gpu_tests
-         --gtest_filter=-Analytic.*:Convergence.*:Sampling.*:*Of8192By8192*:ManyLights.MayBeSpherical)
-# Left out is what no device takes part in, and thousands of pipelines.
-add_test(NAME swiftshader-stress COMMAND stress_tests --gtest_filter=-Bvh*:SpirvGate.*:HostileScenes.AreRefused*)
+         --gtest_filter=-Analytic.*:Convergence.*:Sampling.*:*Of8192By8192*:ManyLights.*)
+# Left out is what no device takes part in, and hundreds of pipelines: SwiftShader compiles for the better part of a
+# second.
+add_test(NAME swiftshader-stress COMMAND stress_tests
+         --gtest_filter=-Bvh*:SpirvGate.*:HostileScenes.AreRefused*:AtAnyPlace.*:TurnedAboutTheAxis.*)
 set(swiftshader_tests swiftshader-against-lavapipe swiftshader-conformance swiftshader-gpu swiftshader-stress)
 set_tests_properties(${swiftshader_tests} PROPERTIES ENVIRONMENT "${on_swiftshader}")
 
