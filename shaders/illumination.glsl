@@ -4,6 +4,7 @@
 
 #include "light.glsl"
 #include "path_state.glsl"
+#include "random.glsl"
 #include "shade.glsl"
 #include "view.glsl"
 
@@ -24,17 +25,30 @@ uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 
   return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
 }
 
+// Where direction i of so many goes to the light that is number `use` of the path's sequences. One direction for each
+// position in the pixel is stratified together with that, as a narrow shadow depends on both.
+vec2 lightPoint(PathSettings settings, uint use, uint directions, uint i) {
+  const uint seed = hashCombine(settings.seed, use);
+  const uint companion = use - kUseOfFirstLight;
+  const bool isCompanion = directions == 1u && companion < kCompanions;
+  const uint place = isCompanion ? companionPlace(settings.place, companion)
+                                 : shuffledPlace(settings.index * directions + i, seed);
+  return pairAt(place, seed);
+}
+
 // The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns false
 // where the device ended the search for shadows.
 bool lightTerm(Light light, SurfacePoint point, uint surface, Material material, vec3 toViewer,
-               PathSettings settings, uint seed, uint lightDirections, bool showsAny, inout RayCounts counts,
+               PathSettings settings, uint use, uint lightDirections, bool showsAny, inout RayCounts counts,
                out vec3 term) {
   const uint directions = light.radius > 0.0 ? lightDirections : 1u;
   term = vec3(0.0);
   bool finished;
   uint i = 0u;
   do {
-    const LightSample s = sampleLight(light, point.position, settings.index * directions + i, seed);
+    vec2 u = vec2(0.0);
+    if (kHasSphericalLights && light.radius > 0.0) u = lightPoint(settings, use, directions, i);
+    const LightSample s = sampleLight(light, point.position, u);
     vec3 unblocked = vec3(1.0);
     if (kView != kViewShadow) unblocked = phong(material, light, point.shadingNormal, s.toLight, toViewer);
     bool blocked = false;
@@ -69,13 +83,12 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
     if (kResumable && counts.shadow >= kMaxShadowRaysPerDispatch) return false;
     const uint i = state.step - 1u;
     const Light light = fetchLight(i);
-    const uint use = 1u + state.bounce * kLightCount + i;
-    const uint seed = hashCombine(settings.seed, use);
+    const uint use = kUseOfFirstLight + state.bounce * kLightCount + i;
     vec3 term;
     // A sample that is white in all channels stays so: what is added is not negative.
     const bool showsAny = kView == kViewShadow || minComponent(state.color) < 1.0;
     const uint shadowRays = counts.shadow;
-    if (!lightTerm(light, point, surface, material, toViewer, settings, seed, directions, showsAny, counts, term)) {
+    if (!lightTerm(light, point, surface, material, toViewer, settings, use, directions, showsAny, counts, term)) {
       return false;
     }
     state.color += weight * term;

@@ -2,7 +2,6 @@
 #ifndef LIGHT_GLSL
 #define LIGHT_GLSL
 
-#include "random.glsl"
 #include "scene_data.glsl"
 #include "vector.glsl"
 
@@ -46,10 +45,9 @@ LightSample sampleSphericalLight(Light light, vec3 position, vec2 u) {
   return LightSample(toLight, position + (inside ? along + halfChord : along - halfChord) * toLight);
 }
 
-LightSample sampleLight(Light light, vec3 position, uint index, uint seed) {
-  if (kHasSphericalLights && light.radius > 0.0) {
-    return sampleSphericalLight(light, position, samplePair(index, seed));
-  }
+// u in [0, 1)^2 chooses the point of a spherical light.
+LightSample sampleLight(Light light, vec3 position, vec2 u) {
+  if (kHasSphericalLights && light.radius > 0.0) return sampleSphericalLight(light, position, u);
   return LightSample(unit(light.position - position), light.position);
 }
 

@@ -21,10 +21,16 @@ struct RayCounts {
   uint skippedShadow;
 };
 
+// The sequences of a path by number: that of the position in the pixel, and from the other on one for each light at
+// each bounce.
+const uint kUseOfPixel = 0u;
+const uint kUseOfFirstLight = 1u;
+
 struct PathSettings {
   uint maxDepth;  // mirror bounces
   uint index;     // of the sample, and
-  uint seed;      // its sequence
+  uint seed;      // its sequences
+  uint place;     // in that of the position in the pixel
 };
 
 #endif

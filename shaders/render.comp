@@ -20,10 +20,11 @@ layout(std430, set = 0, binding = kBindingStates) buffer States { WorkState stat
 layout(std430, set = 0, binding = kBindingStatus) buffer Status { DispatchStatus status; };
 layout(push_constant) uniform PushConstants { DispatchConstants constants; };
 
-Ray sampleRay(uvec2 pixel, uint index, uint seed) {
+// `place` and `seed` are those of the sequence of positions.
+Ray sampleRay(uvec2 pixel, uint place, uint seed) {
   vec2 offset = vec2(0.0);
   if (kSampling != kSamplingCenter) {
-    const vec2 u = samplePair(index, hashCombine(seed, 0u));
+    const vec2 u = pairAt(place, seed);
     offset = vec2(filterOffset(u.x, constants.filterSize), filterOffset(u.y, constants.filterSize));
   }
   const vec2 position = (vec2(pixel) + 0.5 + offset) * constants.pixelSize;
@@ -44,8 +45,9 @@ uint startGroup(uvec2 pixelInCrop) {
 // Takes the sample that the state is at. Returns false where it could not be finished.
 bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
   PathState path = PathState(state.color, state.bounce, state.step, state.rays);
-  const PathSettings settings = PathSettings(constants.maxDepth, index, seed);
-  const bool finished = tracePath(sampleRay(pixel, index, seed), start, settings, path, counts);
+  const uint pixelSeed = hashCombine(seed, kUseOfPixel);
+  const PathSettings settings = PathSettings(constants.maxDepth, index, seed, shuffledPlace(index, pixelSeed));
+  const bool finished = tracePath(sampleRay(pixel, settings.place, pixelSeed), start, settings, path, counts);
   if (finished) {
     vec3 color = path.color;
     if (kView == kViewCost) color = vec3(path.rays);

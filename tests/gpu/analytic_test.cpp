@@ -151,8 +151,7 @@ TEST(Analytic, AMillionSamplesOfSmoothShading) {
 }
 
 // Four pixels of a penumbra that is 3,333 pixels wide. Where it is narrow the position in the pixel matters
-// as well as the direction to the light, and as those two are pairs of dimensions that know nothing of each
-// other, what depends on both is left with an error of n^-1/2: 7e-5 for a penumbra of 33 pixels.
+// as well as the direction to the light, and the error falls more slowly.
 TEST(Analytic, AMillionSamplesOfAPenumbra) {
   const Penumbra penumbra = halfPlanePenumbra(0.5, {4000, 4000});
   RenderSettings settings = settingsFor(penumbra.size, kMillion);

@@ -4,6 +4,7 @@
 
 #include "light.glsl"
 #include "probe.h"
+#include "random.glsl"
 
 layout(local_size_x = kWorkGroupSize) in;
 layout(std430, set = 0, binding = kBindingProbeOut) buffer Samples { ProbeLightSample samples[]; };
@@ -12,6 +13,6 @@ layout(push_constant) uniform PushConstants { LightConstants constants; };
 void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.count) return;
-  const LightSample s = sampleLight(constants.light, constants.position, index, hash(1u));
+  const LightSample s = sampleLight(constants.light, constants.position, samplePair(index, hash(1u)));
   samples[index] = ProbeLightSample(s.toLight, 0u, s.target, 0u);
 }
