@@ -143,6 +143,19 @@ def main():
         lavaray.wait_for('wrote torus.ppm')
         check(picture.read_bytes() == original, 'the mesh is as before, and so is the picture')
 
+    # A scene of few primitives has a shader of its own, compiled when the scene becomes one.
+    few = re.sub(r'mesh\nfile: .*', 'sphere\npos: 0 0 -5\nrad: 1', scene_text)
+    check(few != scene_text, 'the scene has a mesh to replace')
+    edit_in_place(scene, few)
+    said = lavaray.wait_for('wrote torus.ppm')
+    check('compile shaders' in said, f'another kind of scene, another shader: {said}')
+    fresh = subprocess.run([programs / 'lavaray', 'torus.txt', '-o', '-', '--width', '120', '-q'], cwd=work,
+                           stdout=subprocess.PIPE, check=True)
+    check(picture.read_bytes() == fresh.stdout, 'the picture is that of the built-in shader')
+    edit_in_place(scene, scene_text)
+    lavaray.wait_for('wrote torus.ppm')
+    check(picture.read_bytes() == original, 'the mesh is back, and so is the picture')
+
     # A good edit, and before its picture is done a broken one: the good one still gets its picture.
     slow = Watched(programs / 'lavaray', ['torus.txt', '-o', 'slow.ppm', '--width', '120', '--spp', '1500', '--shaders',
                                           'shaders'], work / 'slow')

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include <glm/vec2.hpp>
 
@@ -104,21 +105,19 @@ class Planner {
 }  // namespace
 
 TileStarts tileStarts(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
+  // Of a scene without a traversal no shader reads them.
+  if (scene.nodes.empty() || scene.hasFewPrimitives)
+    return {0, 0, std::vector<gpu::uint>(gpu::kTileStartsPerTexel)};
   const auto width = static_cast<std::uint64_t>(settings.crop.x1 - settings.crop.x0);
   const auto height = static_cast<std::uint64_t>(settings.crop.y1 - settings.crop.y0);
-  const auto tiles = [](std::uint64_t pixels, std::uint32_t shift) {
-    return (pixels + (1U << shift) - 1) >> shift;
-  };
-  TileStarts result{kSmallestShift, 0, {}};
-  while (tiles(width, result.shift) * tiles(height, result.shift) > kMostTiles) ++result.shift;
-  result.across = static_cast<std::uint32_t>(tiles(width, result.shift));
-  const std::uint64_t count = result.across * tiles(height, result.shift);
-  result.groups.resize((count + gpu::kTileStartsPerTexel - 1) / gpu::kTileStartsPerTexel *
-                       gpu::kTileStartsPerTexel);
-  if (scene.nodes.empty() || scene.hasFewPrimitives) return result;
-  std::uint32_t levels = 0;
-  while ((std::uint64_t{1} << levels) < std::max<std::uint64_t>(result.across, tiles(height, result.shift)))
-    ++levels;
+  std::uint32_t shift = kSmallestShift;
+  const auto tiles = [&](std::uint64_t pixels) { return (pixels + (1U << shift) - 1) >> shift; };
+  while (tiles(width) * tiles(height) > kMostTiles) ++shift;
+  TileStarts result{shift, static_cast<std::uint32_t>(tiles(width)), {}};
+  const std::uint64_t texels =
+      (tiles(width) * tiles(height) + gpu::kTileStartsPerTexel - 1) / gpu::kTileStartsPerTexel;
+  result.groups.resize(texels * gpu::kTileStartsPerTexel);
+  const auto levels = static_cast<std::uint32_t>(std::bit_width(std::max(tiles(width), tiles(height)) - 1));
   Planner(scene, camera, settings, result).plan(0, 0, levels, gpu::kRootGroup);
   return result;
 }
