@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/huge_pages.hpp"
+
 namespace lavaray {
 
 template <typename T>
@@ -14,6 +16,11 @@ struct UninitializedAllocator : std::allocator<T> {
   struct rebind {
     using other = UninitializedAllocator<U>;
   };
+  T* allocate(std::size_t count) {
+    T* const memory = std::allocator<T>::allocate(count);
+    preferHugePages(memory, count * sizeof(T));
+    return memory;
+  }
   void construct(T*) {}
   template <typename... Arguments>
   void construct(T* element, Arguments&&... arguments) {

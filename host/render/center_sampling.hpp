@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/huge_pages.hpp"
 #include "render/sampling.hpp"
 #include "render/view.hpp"
 
@@ -13,7 +14,11 @@ namespace lavaray {
 // One sample in each pixel's centre.
 class CenterSampling : public Sampling {
  public:
-  CenterSampling(std::uint64_t pixels, View view) : Sampling(pixels), view_(view), values_(3 * pixels) {}
+  CenterSampling(std::uint64_t pixels, View view) : Sampling(pixels), view_(view) {
+    values_.reserve(3 * pixels);
+    preferHugePages(values_.data(), values_.capacity() * sizeof(float));
+    values_.resize(3 * pixels);
+  }
 
   void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override {
     for (gpu::WorkItem& item : items) item = {static_cast<gpu::uint>(first++), 0, 0, 1};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/errors.hpp"
+#include "core/huge_pages.hpp"
 
 namespace lavaray::vulkan {
 namespace {
@@ -80,6 +81,7 @@ Buffer::Buffer(Device& device, const std::string& name, std::size_t size, Buffer
     void* address = nullptr;
     check(vkMapMemory(device.get(), memory, 0, VK_WHOLE_SIZE, 0, &address), "reach the memory of " + what);
     mapped_ = static_cast<std::byte*>(address);
+    preferHugePages(mapped_, size);
   }
 }
 
