@@ -43,6 +43,12 @@ double hardnessOf(int step) {
   return std::exp2(kLowestHardnessLog2 + (step - 1) / kStepsPerDoubling);
 }
 
+// n^kVarianceExponent, without a call of std::pow for each pixel in each pass.
+double hardnessFactor(double n) {
+  static_assert(kVarianceExponent == 1.5);
+  return n * std::sqrt(n);
+}
+
 double varianceFactor(int sampleStep) {
   return std::exp2(-kVarianceExponent * sampleStep);
 }
@@ -184,7 +190,7 @@ AdaptiveSampling::Statistics AdaptiveSampling::statistics(std::size_t pixel) con
   const double difference = meanSquare((halves[0].mean() - halves[1].mean()) / 2.0);
   const double variance =
       std::max(0.0, PixelSum::toDouble(pixels_[pixel].squares) - n * meanSquare(pixelMean)) / (n - 1.0);
-  return {glm::vec3(pixelMean), static_cast<float>(difference * std::pow(n, kVarianceExponent)),
+  return {glm::vec3(pixelMean), static_cast<float>(difference * hardnessFactor(n)),
           static_cast<float>(variance)};
 }
 
@@ -226,7 +232,7 @@ double AdaptiveSampling::hardness(int x, int y, const std::vector<Statistics>& a
   }
   const double seen = variance > 0.0 ? stratification(x, y, all) * variance / weights : 0.0;
   const double unexplained = std::max(0.0, largestContrast - kSlopeContrast * double{own.variance});
-  return std::max(seen, unseenEdge(unexplained, n) * std::pow(n, kVarianceExponent));
+  return std::max(seen, unseenEdge(unexplained, n) * hardnessFactor(n));
 }
 
 void AdaptiveSampling::estimateHardness() {
