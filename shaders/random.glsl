@@ -48,7 +48,8 @@ uint sobolSecond(uint index) {
 float unitInterval(uint x) { return float(x >> 8) * 5.9604645e-8; }
 
 // The place of sample `index` in a sequence: its indices are shuffled so that every power of two from 0 on stays a
-// permutation of itself.
+// permutation of itself. With a shuffle of its own and values of its own, by its seed, a sequence is independent of
+// others.
 uint shuffledPlace(uint index, uint seed) { return kSampling == kSamplingRandom ? index : scramble(index, seed); }
 
 // What is at a place of a two-dimensional sequence in [0, 1)^2: every power of two places from 0 on is a (0, 2)-net.
@@ -63,9 +64,6 @@ vec2 pairAt(uint place, uint seed) {
   return vec2(unitInterval(x), unitInterval(y));
 }
 
-// Sample `index` of a sequence of its own: sequences with different seeds are independent.
-vec2 samplePair(uint index, uint seed) { return pairAt(shuffledPlace(index, seed), seed); }
-
 // A sequence has this many companions: each a (0, 2)-sequence with a seed of its own, and with the first one a
 // sequence in four dimensions that is stratified as such, which two independent ones are not. A companion's place is
 // the place, taken as a polynomial over the field of two elements with its highest bit first, times a factor with
@@ -77,7 +75,8 @@ vec2 samplePair(uint index, uint seed) { return pairAt(shuffledPlace(index, seed
 const uint kCompanions = 16u;
 const uint kCompanionTerms = 5u;
 const uvec2 kCompanionShifts[kCompanionTerms] =
-    uvec2[](uvec2(0x23312131u, 0x31421411u), uvec2(0x34733352u, 0x44544622u), uvec2(0x85844765u, 0x85657736u), uvec2(0xB9B68998u, 0xC7969D58u), uvec2(0xFBC9FBCAu, 0xFEABCE9Eu));
+    uvec2[](uvec2(0x23312131u, 0x31421411u), uvec2(0x34733352u, 0x44544622u), uvec2(0x85844765u, 0x85657736u),
+            uvec2(0xB9B68998u, 0xC7969D58u), uvec2(0xFBC9FBCAu, 0xFEABCE9Eu));
 
 uint companionPlace(uint place, uint companion) {
   uint product = place;

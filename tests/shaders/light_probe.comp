@@ -13,6 +13,7 @@ layout(push_constant) uniform PushConstants { LightConstants constants; };
 void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.count) return;
-  const LightSample s = sampleLight(constants.light, constants.position, samplePair(index, hash(1u)));
+  const uint seed = hash(1u);
+  const LightSample s = sampleLight(constants.light, constants.position, pairAt(shuffledPlace(index, seed), seed));
   samples[index] = ProbeLightSample(s.toLight, 0u, s.target, 0u);
 }
