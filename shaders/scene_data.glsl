@@ -1,8 +1,9 @@
 // The scene's arrays, and the functions that read them.
 //
-// All are read through texel buffer views: on lavapipe a texel fetch is a few wide loads where a storage buffer load is
-// a branch for every component of every lane. The texels are integers, so that no driver takes an index for a denormal
-// float and flushes it.
+// All are read through texel buffer views, where these reach: on lavapipe a texel fetch is a few wide loads where a
+// storage buffer load is a branch for every component of every lane. A device need have no more than 65,536 texels in a
+// view, so there is a pipeline that reads the same words from storage buffers (see scene_buffers.hpp). The texels are
+// integers, so that no driver takes an index for a denormal float and flushes it.
 #ifndef SCENE_DATA_GLSL
 #define SCENE_DATA_GLSL
 
@@ -28,6 +29,7 @@ layout(constant_id = kSpecFewTriangles) const uint kFewTriangles = 0u;
 layout(constant_id = kSpecHasTileStarts) const bool kHasTileStarts = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = kMaxBvhDepth;
 
+#ifndef LAVARAY_SCENE_IN_STORAGE
 layout(set = 0, binding = kBindingNodes) uniform utextureBuffer nodeTexels;
 layout(set = 0, binding = kBindingPrimitives) uniform utextureBuffer primitiveTexels;
 layout(set = 0, binding = kBindingTrianglePlanes) uniform utextureBuffer trianglePlaneTexels;
@@ -36,9 +38,21 @@ layout(set = 0, binding = kBindingPlanes) uniform utextureBuffer planeTexels;
 layout(set = 0, binding = kBindingLights) uniform utextureBuffer lightTexels;
 layout(set = 0, binding = kBindingMaterials) uniform utextureBuffer materialTexels;
 layout(set = 0, binding = kBindingTileStarts) uniform utextureBuffer tileStartTexels;
+#define TEXEL(texels, index) texelFetch(texels, int(index))
+#else
+layout(std430, set = 0, binding = kBindingNodes) readonly buffer Nodes { uvec4 nodeTexels[]; };
+layout(std430, set = 0, binding = kBindingPrimitives) readonly buffer Primitives { uvec4 primitiveTexels[]; };
+layout(std430, set = 0, binding = kBindingTrianglePlanes) readonly buffer TrianglePlanes { uvec4 trianglePlaneTexels[]; };
+layout(std430, set = 0, binding = kBindingCornerNormals) readonly buffer CornerNormals { uvec4 cornerNormalTexels[]; };
+layout(std430, set = 0, binding = kBindingPlanes) readonly buffer Planes { uvec4 planeTexels[]; };
+layout(std430, set = 0, binding = kBindingLights) readonly buffer Lights { uvec4 lightTexels[]; };
+layout(std430, set = 0, binding = kBindingMaterials) readonly buffer Materials { uvec4 materialTexels[]; };
+layout(std430, set = 0, binding = kBindingTileStarts) readonly buffer TileStarts { uvec4 tileStartTexels[]; };
+#define TEXEL(texels, index) texels[index]
+#endif
 
 uvec4 fetchNodeTexel(uint index, uint texel) {
-  return texelFetch(nodeTexels, int(index * kTexelsPerNode + texel));
+  return TEXEL(nodeTexels, index * kTexelsPerNode + texel);
 }
 
 uvec4 fetchChildren(uint index) { return fetchNodeTexel(index, 3u); }
@@ -51,52 +65,52 @@ BvhNode fetchNode(uint index) {
 }
 
 Primitive fetchPrimitive(uint index) {
-  const int texel = int(index * kTexelsPerPrimitive);
-  const uvec4 t0 = texelFetch(primitiveTexels, texel);
-  const uvec4 t1 = texelFetch(primitiveTexels, texel + 1);
-  const uvec4 t2 = texelFetch(primitiveTexels, texel + 2);
+  const uint texel = index * kTexelsPerPrimitive;
+  const uvec4 t0 = TEXEL(primitiveTexels, texel);
+  const uvec4 t1 = TEXEL(primitiveTexels, texel + 1u);
+  const uvec4 t2 = TEXEL(primitiveTexels, texel + 2u);
   return Primitive(uintBitsToFloat(t0.xyz), t0.w, uintBitsToFloat(t1.xyz), t1.w, uintBitsToFloat(t2.xyz), t2.w);
 }
 
 TrianglePlane fetchTrianglePlane(uint index) {
-  const vec4 t = uintBitsToFloat(texelFetch(trianglePlaneTexels, int(index)));
+  const vec4 t = uintBitsToFloat(TEXEL(trianglePlaneTexels, index));
   return TrianglePlane(t.xyz, t.w);
 }
 
 CornerNormal fetchCornerNormal(uint index) {
-  const uvec4 t = texelFetch(cornerNormalTexels, int(index));
+  const uvec4 t = TEXEL(cornerNormalTexels, index);
   return CornerNormal(uintBitsToFloat(t.xyz), t.w);
 }
 
 Plane fetchPlane(uint index) {
-  const int texel = int(index * kTexelsPerPlane);
-  const vec4 t0 = uintBitsToFloat(texelFetch(planeTexels, texel));
-  const uvec4 t1 = texelFetch(planeTexels, texel + 1);
+  const uint texel = index * kTexelsPerPlane;
+  const vec4 t0 = uintBitsToFloat(TEXEL(planeTexels, texel));
+  const uvec4 t1 = TEXEL(planeTexels, texel + 1u);
   return Plane(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 
 // The packed group that camera rays through the tile start with.
 uint fetchTileStart(uint tile) {
-  const uvec4 t = texelFetch(tileStartTexels, int(tile / kTileStartsPerTexel));
+  const uvec4 t = TEXEL(tileStartTexels, tile / kTileStartsPerTexel);
   const uvec2 pair = (tile & 2u) == 0u ? t.xy : t.zw;
   return (tile & 1u) == 0u ? pair.x : pair.y;
 }
 
 Light fetchLight(uint index) {
-  const int texel = int(index * kTexelsPerLight);
-  const vec4 t0 = uintBitsToFloat(texelFetch(lightTexels, texel));
-  const vec4 t1 = uintBitsToFloat(texelFetch(lightTexels, texel + 1));
-  const vec4 t2 = uintBitsToFloat(texelFetch(lightTexels, texel + 2));
-  const vec4 t3 = uintBitsToFloat(texelFetch(lightTexels, texel + 3));
+  const uint texel = index * kTexelsPerLight;
+  const vec4 t0 = uintBitsToFloat(TEXEL(lightTexels, texel));
+  const vec4 t1 = uintBitsToFloat(TEXEL(lightTexels, texel + 1u));
+  const vec4 t2 = uintBitsToFloat(TEXEL(lightTexels, texel + 2u));
+  const vec4 t3 = uintBitsToFloat(TEXEL(lightTexels, texel + 3u));
   return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
 }
 
 Material fetchMaterial(uint index) {
-  const int texel = int(index * kTexelsPerMaterial);
-  const vec4 t0 = uintBitsToFloat(texelFetch(materialTexels, texel));
-  const vec4 t1 = uintBitsToFloat(texelFetch(materialTexels, texel + 1));
-  const vec4 t2 = uintBitsToFloat(texelFetch(materialTexels, texel + 2));
-  const vec4 t3 = uintBitsToFloat(texelFetch(materialTexels, texel + 3));
+  const uint texel = index * kTexelsPerMaterial;
+  const vec4 t0 = uintBitsToFloat(TEXEL(materialTexels, texel));
+  const vec4 t1 = uintBitsToFloat(TEXEL(materialTexels, texel + 1u));
+  const vec4 t2 = uintBitsToFloat(TEXEL(materialTexels, texel + 2u));
+  const vec4 t3 = uintBitsToFloat(TEXEL(materialTexels, texel + 3u));
   return Material(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
 }
 

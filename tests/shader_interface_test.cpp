@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(ShaderInterface, MisfitAtLine, testing::ValuesIn(kEdits
 TEST(ShaderInterface, FloatTexelsAreRefused) {
   const ShaderFolder folder;
   (void)folder.replace(
-      "scene_data.glsl", "return texelFetch(nodeTexels, int(index * kTexelsPerNode + texel));",
+      "scene_data.glsl", "return TEXEL(nodeTexels, index * kTexelsPerNode + texel);",
       "return floatBitsToUint(texelFetch(nodeTexels, int(index * kTexelsPerNode + texel)));");
   const std::string place = folder.replace("scene_data.glsl", "uniform utextureBuffer nodeTexels",
                                            "uniform textureBuffer nodeTexels");

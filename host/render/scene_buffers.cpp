@@ -14,11 +14,26 @@ std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
 
 }  // namespace
 
-std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene) {
+vulkan::BufferUse sceneUse(const vulkan::Device& device, const GpuScene& scene) {
+  std::size_t most = 0;
+  const auto look = [&](const auto& elements) { most = std::max(most, bytesOf(elements).size()); };
+  look(scene.nodes);
+  look(scene.primitives);
+  look(scene.trianglePlanes);
+  look(scene.cornerNormals);
+  look(scene.planes);
+  look(scene.lights);
+  look(scene.materials);
+  const std::uint64_t reach = std::uint64_t{device.limits().texelBufferElements} * vulkan::kTexelBytes;
+  return most <= reach ? vulkan::BufferUse::kTexels : vulkan::BufferUse::kStorage;
+}
+
+std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene,
+                                        vulkan::BufferUse use) {
   std::vector<vulkan::Buffer> buffers;
-  const auto upload = [&](gpu::uint binding, const char* name, std::span<const std::byte> content) {
+  const auto upload = [&]([[maybe_unused]] gpu::uint binding, const char* name,
+                          std::span<const std::byte> content) {
     assert(binding == buffers.size());
-    const auto use = binding < gpu::kTexelBindings ? vulkan::BufferUse::kTexels : vulkan::BufferUse::kStorage;
     // Vulkan knows no empty buffer; the pipeline of a scene without such things never reads this one.
     static constexpr std::array<std::byte, 64> kNothing{};
     buffers.push_back(vulkan::Buffer::uploaded(device, name, use, content.empty() ? kNothing : content));

@@ -45,6 +45,8 @@ struct RenderSettings {
   std::span<const std::uint32_t> shader;
   // Without it the pipeline holds the code for all that any scene may have; for comparison.
   bool specialized = true;
+  // Reads the scene from storage buffers even where texels reach; for comparison.
+  bool sceneInStorage = false;
 };
 
 }  // namespace lavaray

@@ -8,6 +8,7 @@
 #include "render/scene_buffers.hpp"
 #include "render/tile_starts.hpp"
 #include "renderFewPrimitivesSpirv.spv.h"
+#include "renderFromStorageSpirv.spv.h"
 #include "renderSpirv.spv.h"
 
 namespace lavaray {
@@ -45,7 +46,7 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
                                : settings.sampler == Sampler::kSobol ? gpu::kSamplingSobol
                                                                      : gpu::kSamplingRandom;
   values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
-  values[gpu::kSpecHasTileStarts] = settings.specialized ? 1 : 0;
+  values[gpu::kSpecHasTileStarts] = settings.specialized && !scene.hasFewPrimitives ? 1 : 0;
   if (!settings.specialized) {
     for (const gpu::uint feature : {gpu::kSpecHasSpheres, gpu::kSpecHasTriangles, gpu::kSpecHasCornerNormals,
                                     gpu::kSpecHasMirrors, gpu::kSpecHasSphericalLights}) {
@@ -93,11 +94,16 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
 
   const std::vector<float> filter = filterTable(settings.filter);
   constants_ = dispatchConstants(camera, settings, scene, filter.size());
-  buffers_ = uploadScene(device, scene);
+  // A shader of the user's reads texels.
+  const bool inStorage = settings.shader.empty() &&
+                         (settings.sceneInStorage || sceneUse(device, scene) == vulkan::BufferUse::kStorage);
+  if (inStorage) shader_ = renderFromStorageSpirv;
+  const auto use = inStorage ? vulkan::BufferUse::kStorage : vulkan::BufferUse::kTexels;
+  buffers_ = uploadScene(device, scene, use);
   constants_.tileShift = starts_.shift;
   constants_.tilesAcross = starts_.across;
-  buffers_.push_back(vulkan::Buffer::uploaded(device, "tiles", vulkan::BufferUse::kTexels,
-                                              std::as_bytes(std::span(starts_.groups))));
+  buffers_.push_back(
+      vulkan::Buffer::uploaded(device, "tiles", use, std::as_bytes(std::span(starts_.groups))));
   const std::vector<float> noTable(4);
   buffers_.push_back(vulkan::Buffer::uploaded(device, "pixel filter", vulkan::BufferUse::kStorage,
                                               std::as_bytes(std::span(filter.empty() ? noTable : filter))));

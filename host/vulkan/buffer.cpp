@@ -11,7 +11,6 @@ namespace lavaray::vulkan {
 namespace {
 
 constexpr VkFormat kTexelFormat = VK_FORMAT_R32G32B32A32_UINT;
-constexpr std::size_t kTexelSize = 16;
 
 constexpr VkMemoryPropertyFlags kOnDevice = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
 constexpr VkMemoryPropertyFlags kOnHost =
@@ -35,7 +34,7 @@ std::string inMegabytes(std::uint64_t bytes) {
 // A larger buffer could be made, but a shader would not reach its end.
 void checkReach(const Device& device, const std::string& name, BufferUse use, std::size_t size) {
   const std::uint64_t reach = use == BufferUse::kTexels
-                                  ? std::uint64_t{device.limits().texelBufferElements} * kTexelSize
+                                  ? std::uint64_t{device.limits().texelBufferElements} * kTexelBytes
                                   : device.limits().storageBufferRange;
   if (size <= reach) return;
   throw Error(ExitCode::kDevice, "the " + name + " take " + std::to_string(size) + " bytes (" +

@@ -13,6 +13,8 @@ enum class BufferUse {
   kTexels,   // read through a view of RGBA32_UINT texels
 };
 
+inline constexpr std::size_t kTexelBytes = 16;
+
 // A buffer with its memory. `name` stands in error messages.
 class Buffer {
  public:

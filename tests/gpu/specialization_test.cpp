@@ -29,6 +29,13 @@ void expectSameBits(const Scene& scene, RenderSettings settings, const std::stri
   EXPECT_EQ(specialized.rgb, renderScene(scene, settings).image.rgb) << what;
 }
 
+// Where a device's texels do not reach.
+void expectSameBitsFromStorage(const Scene& scene, RenderSettings settings, const std::string& what) {
+  const Image fromTexels = renderScene(scene, settings).image;
+  settings.sceneInStorage = true;
+  EXPECT_EQ(fromTexels.rgb, renderScene(scene, settings).image.rgb) << what << ", from storage buffers";
+}
+
 TEST(Specialization, ChangesNoBitOfAnyScene) {
   const std::vector<std::filesystem::path> files = allScenes();
   ASSERT_GE(files.size(), 17U);
@@ -38,6 +45,7 @@ TEST(Specialization, ChangesNoBitOfAnyScene) {
     settings.size = reducedSize(scene.camera, 64);
     settings.crop = {0, 0, settings.size.width, settings.size.height};
     expectSameBits(scene, settings, file.filename().string() + ", pixels' centres");
+    expectSameBitsFromStorage(scene, settings, file.filename().string());
     settings.samples = 2;
     settings.filter = PixelFilter::kGaussian;
     expectSameBits(scene, settings, file.filename().string() + ", 2 samples");

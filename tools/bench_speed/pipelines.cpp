@@ -1,6 +1,8 @@
 // Measures what specialization is worth: for each scene the time until the pipeline that has only what the
-// scene needs has traced a first pixel, and the time of a picture by it, against the general pipeline. Run
-// without a cache of shaders (tools/bench-speed sees to that), as a cached one needs no compiling.
+// scene needs has traced a first pixel, and the time of a picture by it, against the general pipeline; and
+// the time of a picture by the pipeline that reads the scene from storage buffers, which has the hierarchy in
+// any scene. Run without a cache of shaders (tools/bench-speed sees to that), as a cached one needs no
+// compiling.
 #include <charconv>
 #include <iomanip>
 #include <iostream>
@@ -49,6 +51,9 @@ void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
   const Pipeline specialized{gpuScene, scene, settings};
   settings.specialized = false;
   const Pipeline general{gpuScene, scene, settings};
+  settings.specialized = true;
+  settings.sceneInStorage = true;
+  const Pipeline inStorage{gpuScene, scene, settings};
   const auto pixels =
       static_cast<std::uint64_t>(settings.size.width) * static_cast<std::uint64_t>(settings.size.height);
 
@@ -61,12 +66,13 @@ void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
 
   Tracer generalTracer = makeTracer(device, general, pixels);
   Tracer specializedTracer = makeTracer(device, specialized, pixels);
-  for (int i = 0; i < 2; ++i) {  // in which they find the size of their dispatches
-    trace(generalTracer, pixels);
-    trace(specializedTracer, pixels);
+  Tracer storageTracer = makeTracer(device, inStorage, pixels);
+  for (Tracer* tracer : {&generalTracer, &specializedTracer, &storageTracer}) {
+    for (int i = 0; i < 2; ++i) trace(*tracer, pixels);  // in which it finds the size of its dispatches
   }
   const std::vector<Timing> pictures = measure({{"general", [&] { trace(generalTracer, pixels); }},
-                                                {"specialized", [&] { trace(specializedTracer, pixels); }}},
+                                                {"specialized", [&] { trace(specializedTracer, pixels); }},
+                                                {"storage", [&] { trace(storageTracer, pixels); }}},
                                                rounds);
   std::cout << std::left << std::setw(24) << scene.file.filename().string() << std::right << std::fixed;
   for (const double value : {1e3 * least(cold[0].wall), 1e3 * least(cold[1].wall),
@@ -74,7 +80,8 @@ void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
     std::cout << std::setprecision(1) << std::setw(10) << value;
   }
   std::cout << std::setprecision(2) << std::setw(10) << least(cold[1].wall) / least(cold[0].wall)
-            << std::setw(10) << least(pictures[1].cpu) / least(pictures[0].cpu) << std::endl;
+            << std::setw(10) << least(pictures[1].cpu) / least(pictures[0].cpu) << std::setw(12)
+            << least(pictures[2].cpu) / least(pictures[1].cpu) << std::endl;
 }
 
 ExitCode run(std::span<const char* const> arguments) {
@@ -87,9 +94,9 @@ ExitCode run(std::span<const char* const> arguments) {
   std::cout << "device " << device.description().name << ", least of " << rounds << " rounds, " << kColdRounds
             << " of the first pixel\n"
             << std::left << std::setw(24) << "" << std::right
-            << "  first pixel, wall ms    picture, CPU ms     specialized / general\n"
+            << "  first pixel, wall ms    picture, CPU ms     specialized / general     storage /\n"
             << std::setw(24) << ""
-            << "   general  special.   general  special.    first   picture\n";
+            << "   general  special.   general  special.    first   picture  texels\n";
   for (const char* scene : arguments.subspan(3)) measureScene(device, scene, rounds);
   return ExitCode::kSuccess;
 }
