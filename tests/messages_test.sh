@@ -101,6 +101,9 @@ for format in png bmp ppm pfm; do
     fails 3 "$diff" --info $file
   done
   fails 3 "$diff" cut.$format cut.$format
+  head -c -1 good.$format >short.$format
+  fails 3 "$diff" short.$format good.$format
+  fails 0 "$diff" good.$format good.$format
 done
 printf 'P6\n1000000 1000000\n255\n' >huge.ppm
 printf 'PF\n-5 100000\n-1\n' >huge.pfm

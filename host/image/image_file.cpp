@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 #define cimg_display 0
@@ -34,22 +35,37 @@ CImg<Value> planar(const Image& image, const Convert& convert) {
   return result;
 }
 
+// Bytes before the pixels of a PPM or PFM file that begins like this: four words, between which there may be
+// comments, and one blank or line end. 0 where there is no such header.
+std::size_t pnmHeaderBytes(std::string_view begin) {
+  std::size_t at = 0;
+  for (int word = 0; word < 4; ++word) {
+    while (at < begin.size() &&
+           (std::isspace(static_cast<unsigned char>(begin[at])) != 0 || begin[at] == '#')) {
+      at = begin[at] == '#' ? std::min(begin.find('\n', at), begin.size()) : at + 1;
+    }
+    while (at < begin.size() && std::isspace(static_cast<unsigned char>(begin[at])) == 0) ++at;
+  }
+  return at < begin.size() ? at + 1 : 0;
+}
+
 // Whether the file holds fewer bytes than the pixels that CImg has read from it: the last of them are then
-// whatever was in the memory. Headers of PPM and PFM count for nothing, and of forms that the programs do not
-// write (text, compressed) nothing is known.
+// whatever was in the memory. Of forms that the programs do not write (text, compressed) nothing is known.
 bool endsEarly(const std::filesystem::path& file, ImageFormat format, const CImg<float>& image) {
-  std::array<unsigned char, 34> header{};
+  std::array<unsigned char, 1024> header{};
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (!stream || std::fread(header.data(), 1, header.size(), stream.get()) == 0) return true;
+  const std::size_t read = stream ? std::fread(header.data(), 1, header.size(), stream.get()) : 0;
+  if (read == 0) return true;
   const auto number = [&](std::size_t at, int bytes) {
     std::uintmax_t value = 0;
     for (int i = 0; i < bytes; ++i) value |= std::uintmax_t{header[at + i]} << (8 * i);
     return value;
   };
   const std::uintmax_t values = image.size();
+  const std::size_t pnmHeader = pnmHeaderBytes({reinterpret_cast<const char*>(header.data()), read});
   std::uintmax_t needed = 0;
-  if (format == ImageFormat::kPfm) needed = 4 * values;
-  if (format == ImageFormat::kPpm && (header[1] == '5' || header[1] == '6')) needed = values;
+  if (format == ImageFormat::kPfm) needed = pnmHeader + 4 * values;
+  if (format == ImageFormat::kPpm && (header[1] == '5' || header[1] == '6')) needed = pnmHeader + values;
   if (format == ImageFormat::kBmp && number(30, 4) == 0) {
     const std::uintmax_t row = (image.width() * number(28, 2) + 31) / 32 * 4;
     needed = number(10, 4) + row * image.height();
