@@ -30,8 +30,8 @@ void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {
   result.hasFewPrimitives = hasFewPrimitives(scene);
   if (primitives.shapes.empty()) return;
   if (result.hasFewPrimitives) putSpheresFirst(primitives);
-  const std::vector<Box> boxes = boundingBoxes(primitives, threads);
-  Bvh bvh = result.hasFewPrimitives ? oneLeaf(boxes) : buildBvh(boxes, threads);
+  Bvh bvh = result.hasFewPrimitives ? oneLeaf(boundingBoxes(primitives, threads))
+                                    : buildBvh(boundingBoxes(primitives, threads), threads);
   if (bvh.largestCoincidentGroup > kManyCoincident) {
     result.droppedDuplicates = removeCoincident(primitives);
     if (result.droppedDuplicates > 0) bvh = buildBvh(boundingBoxes(primitives, threads), threads);

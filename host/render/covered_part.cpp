@@ -11,8 +11,6 @@
 namespace lavaray {
 namespace {
 
-// How far a ray may pass by a box that it hits nonetheless, as the shader rounds; far more than it does.
-constexpr double kRoundingPixels = 0.5;
 // Levels of the hierarchy to go down: the boxes there are smaller, and what lies behind the camera is apart
 // from what lies before it.
 constexpr int kLevels = 4;

@@ -8,6 +8,10 @@
 
 namespace lavaray {
 
+// How far a camera ray may pass by a box that it hits nonetheless, as the shader rounds; far more than it
+// does.
+inline constexpr double kRoundingPixels = 0.5;
+
 struct PixelBounds {
   glm::dvec2 lower;
   glm::dvec2 upper;

@@ -8,6 +8,7 @@
 
 #include "core/wide_bvh.hpp"
 #include "render/pixel_filter.hpp"
+#include "render/projection.hpp"
 
 namespace lavaray {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 // Smaller tiles start deeper but take longer to prepare; the array stays small for the largest images.
 constexpr std::uint32_t kSmallestShift = 3;
 constexpr std::uint64_t kMostTiles = 1U << 18U;
-// How far a ray may pass by a box that it hits nonetheless, as the shader rounds; far more than it does.
-constexpr double kRoundingPixels = 0.5;
 
 // The directions through some pixels: x / -z and y / -z, from the camera.
 struct Slopes {
