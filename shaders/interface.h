@@ -210,10 +210,10 @@ struct Material {
 LAVARAY_SIZE(Material, 64);
 const uint kTexelsPerMaterial = 4u;
 
-// Some samples of one pixel: `count` of them from number `first` on, in the pixel's sequence number `sequence`.
+// Some samples of one pixel: `count` of them from number `first` on.
 struct WorkItem {
   uint pixel;  // of the cropped image, counted row by row
-  uint sequence;
+  uint part;   // of the pixel's sums that they belong to, for the host
   uint first;
   uint count;
 };

@@ -70,7 +70,8 @@ bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
   const uvec2 inCrop = uvec2(item.pixel % constants.cropWidth, item.pixel / constants.cropWidth);
   const uvec2 pixel = inCrop + uvec2(constants.cropX, constants.cropY);
   const uint start = startGroup(inCrop);
-  const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), item.sequence);
+  // The 0 keeps the samples where they have always been.
+  const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), 0u);
   bool finished;
   uint i = state.taken;
   do {

@@ -7,7 +7,9 @@
 
 #include "film/pixel_sum.hpp"
 #include "render/adaptive.hpp"
+#include "render/convergence.hpp"
 #include "render/pixel_filter.hpp"
+#include "render/sample_plan.hpp"
 
 namespace lavaray {
 namespace {
@@ -62,63 +64,166 @@ TEST(PixelSum, KeepsSmallTermsAmongAMillion) {
   EXPECT_NEAR(sum.mean().b, 1e-6, 1e-12);
 }
 
+TEST(PixelClass, KeepsWhatItIsMadeOf) {
+  for (double squaredError = 0x1p-59; squaredError < 1.0; squaredError *= 1.07) {
+    const PixelClass pixel(static_cast<float>(squaredError), 5, 7);
+    EXPECT_NEAR(pixel.squaredError(), squaredError, 0.126 * squaredError);
+    EXPECT_EQ(pixel.fallStep(), 5);
+    EXPECT_EQ(pixel.sampleStep(), 7);
+    EXPECT_EQ(PixelClass(pixel.index()).squaredError(), pixel.squaredError());
+  }
+  EXPECT_EQ(PixelClass(0.0F, 8, 23).squaredError(), 0.0);
+  EXPECT_EQ(PixelClass(0x1p-70F, 8, 23).squaredError(), 0.0);
+  EXPECT_LT(PixelClass(1e9F, 8, 23).index(), PixelClass::kCount);
+}
+
+double squaredErrorAfter(const PixelClass& pixel, int growth) {
+  return pixel.squaredError() * std::exp2(-convergence::fallAt(pixel.fallStep()) * growth);
+}
+
+// Against all other plans for five pixels: none reaches the goal with fewer samples.
+TEST(SamplePlan, TakesTheFewestSamples) {
+  constexpr int kMostGrowth = 5;
+  const std::vector<PixelClass> pixels = {PixelClass(0.05F, 2, 1), PixelClass(0.01F, 8, 1),
+                                          PixelClass(0.02F, 0, 2), PixelClass(0.0005F, 2, 4),
+                                          PixelClass(0.0F, 2, 1)};
+  int plans = 0;
+  for (double goal = 0.008; goal > 0.0005; goal *= 0.8) {
+    const SamplePlan plan(pixels, goal, 20);
+    double error = 0.0;
+    double samples = 0.0;
+    for (const PixelClass& pixel : pixels) {
+      EXPECT_LE(plan.growth(pixel), kMostGrowth);
+      error += squaredErrorAfter(pixel, plan.growth(pixel)) / 5.0;
+      samples += std::exp2(pixel.sampleStep() + plan.growth(pixel));
+    }
+    EXPECT_LE(error, goal);
+    EXPECT_EQ(plan.samples(), samples);
+    double fewest = samples;
+    for (int code = 0; code < std::pow(kMostGrowth + 1, 4); ++code) {
+      double otherError = 0.0;
+      double otherSamples = std::exp2(pixels[4].sampleStep());
+      for (int i = 0, rest = code; i < 4; ++i, rest /= kMostGrowth + 1) {
+        otherError += squaredErrorAfter(pixels[i], rest % (kMostGrowth + 1)) / 5.0;
+        otherSamples += std::exp2(pixels[i].sampleStep() + rest % (kMostGrowth + 1));
+      }
+      if (otherError <= goal) fewest = std::min(fewest, otherSamples);
+    }
+    // Doublings are taken whole and in the order of what they gain: the last one may be more than is needed.
+    EXPECT_LE(samples, 2.0 * fewest);
+    plans += samples == fewest ? 1 : 0;
+  }
+  EXPECT_GE(plans, 5);
+}
+
+TEST(SamplePlan, DoesNothingAtItsGoalAndNoMoreThanAllowed) {
+  const std::vector<PixelClass> pixels(10, PixelClass(0.01F, 2, 3));
+  const SamplePlan idle(pixels, 0.02, 20);
+  EXPECT_EQ(idle.growth(pixels[0]), 0);
+  EXPECT_EQ(idle.samples(), 80.0);
+  EXPECT_NEAR(idle.squaredError(), 0.01, 0.00126);
+  EXPECT_EQ(SamplePlan(pixels, 1e-9, 5).growth(pixels[0]), 2);
+  EXPECT_EQ(SamplePlan(pixels, 1e-9, 2).growth(pixels[0]), 0);
+}
+
 gpu::WorkResult blackOrWhite(const gpu::WorkItem& item, double probabilityOfWhite, std::mt19937& random) {
   std::binomial_distribution<unsigned> hits(item.count, probabilityOfWhite);
   const auto white = static_cast<float>(hits(random));
   return {glm::vec3(white), white};
 }
 
-// Pixels that an edge crosses: sample i of either half is 1 with the edge's coverage as probability,
-// stratified.
+// Every twentieth column has an edge of its own in each pixel, which divides 0 from 1: a sample at (x, y) in
+// the unit square is 1 where x + slope * y < offset.
 class EdgeImage {
  public:
-  EdgeImage(int width, int height, unsigned seed) : coverage_(static_cast<std::size_t>(width) * height) {
+  EdgeImage(int width, int height, unsigned seed) : edges_(static_cast<std::size_t>(width) * height) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
-    // Every twentieth column has an edge of its own coverage, which divides 0 from 1.
-    for (std::size_t i = 0; i < coverage_.size(); ++i) {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
       const int x = static_cast<int>(i) % width;
-      coverage_[i] = x % 20 == 10 ? uniform(random) : (x / 10 % 2 == 0 ? 0.0 : 1.0);
+      edges_[i].offset = x % 20 == 10 ? uniform(random) : (x / 10 % 2 == 0 ? 0.0 : 2.0);
+      edges_[i].slope = x % 20 == 10 ? uniform(random) : 0.0;
+      edges_[i].shiftX = static_cast<std::uint32_t>(random());
+      edges_[i].shiftY = static_cast<std::uint32_t>(random());
     }
   }
-  [[nodiscard]] double truth(std::size_t pixel) const { return coverage_[pixel]; }
-  [[nodiscard]] gpu::WorkResult sum(const gpu::WorkItem& item, std::mt19937& random) const {
-    return blackOrWhite(item, coverage_[item.pixel], random);
+
+  [[nodiscard]] double truth(std::size_t pixel) const {
+    constexpr int kRows = 1000;
+    double sum = 0.0;
+    for (int row = 0; row < kRows; ++row) {
+      const double y = (row + 0.5) / kRows;
+      sum += std::clamp(edges_[pixel].offset - edges_[pixel].slope * y, 0.0, 1.0);
+    }
+    return sum / kRows;
+  }
+
+  [[nodiscard]] gpu::WorkResult independent(const gpu::WorkItem& item, std::mt19937& random) const {
+    return blackOrWhite(item, truth(item.pixel), random);
+  }
+
+  // At the points of a two-dimensional Sobol sequence with a digital shift.
+  [[nodiscard]] gpu::WorkResult stratified(const gpu::WorkItem& item) const {
+    const Edge& edge = edges_[item.pixel];
+    int hits = 0;
+    for (std::uint32_t i = item.first; i < item.first + item.count; ++i) {
+      std::uint32_t x = edge.shiftX;
+      std::uint32_t y = edge.shiftY;
+      std::uint32_t columnX = 1U << 31U;
+      std::uint32_t columnY = 1U << 31U;
+      for (std::uint32_t bits = i; bits > 0; bits /= 2) {
+        if (bits % 2 == 1) x ^= columnX, y ^= columnY;
+        columnX >>= 1U;
+        columnY ^= columnY >> 1U;
+      }
+      hits += x * 0x1p-32 + edge.slope * y * 0x1p-32 < edge.offset ? 1 : 0;
+    }
+    return {glm::vec3(static_cast<float>(hits)), static_cast<float>(hits)};
   }
 
  private:
-  std::vector<double> coverage_;
+  struct Edge {
+    double offset;
+    double slope;
+    std::uint32_t shiftX;
+    std::uint32_t shiftY;
+  };
+  std::vector<Edge> edges_;
 };
 
 TEST(AdaptiveSampling, HonoursItsTargetAndSpendsOnEdges) {
   constexpr int kWidth = 200;
   constexpr int kHeight = 100;
-  for (const double target : {0.02, 0.01, 0.005}) {
-    const EdgeImage image(kWidth, kHeight, 1);
-    std::mt19937 random(2);
-    AdaptiveSampling adaptive(kWidth, kHeight, target, 1U << 20U, {});
-    for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-      for (const gpu::WorkItem& item : items) adaptive.add(item, image.sum(item, random));
+  for (const bool isStratified : {true, false}) {
+    for (const double target : {0.02, 0.01, 0.005}) {
+      const EdgeImage image(kWidth, kHeight, 1);
+      std::mt19937 random(2);
+      AdaptiveSampling adaptive(kWidth, kHeight, target, 1U << 20U, isStratified, {});
+      for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
+        for (const gpu::WorkItem& item : items)
+          adaptive.add(item, isStratified ? image.stratified(item) : image.independent(item, random));
+      }
+      EXPECT_TRUE(adaptive.reachedTarget());
+      double squares = 0.0;
+      std::uint64_t onEdges = 0;
+      std::uint64_t all = 0;
+      for (std::size_t pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+        squares += std::pow(adaptive.mean(pixel).r - image.truth(pixel), 2.0);
+        const std::uint64_t added = adaptive.samples(pixel) - 2;  // to those that all have
+        all += added;
+        const auto x = pixel % kWidth;
+        if (x % 20 >= 8 && x % 20 <= 12) onEdges += added;
+      }
+      const double error = std::sqrt(squares / (kWidth * kHeight));
+      EXPECT_LE(error, target) << isStratified;
+      EXPECT_GE(error, target / 3.0) << isStratified;
+      EXPECT_GT(static_cast<double>(onEdges) / static_cast<double>(all), 0.6);
     }
-    EXPECT_TRUE(adaptive.reachedTarget());
-    double squares = 0.0;
-    std::uint64_t onEdges = 0;
-    std::uint64_t all = 0;
-    for (std::size_t pixel = 0; pixel < kWidth * kHeight; ++pixel) {
-      squares += std::pow(adaptive.mean(pixel).r - image.truth(pixel), 2.0);
-      all += adaptive.samples(pixel);
-      const auto x = pixel % kWidth;
-      if (x % 20 >= 8 && x % 20 <= 12) onEdges += adaptive.samples(pixel);
-    }
-    const double error = std::sqrt(squares / (kWidth * kHeight));
-    EXPECT_LE(error, target);
-    EXPECT_GE(error, target / 3.0);
-    EXPECT_GT(static_cast<double>(onEdges) / static_cast<double>(all), 0.5);
   }
 }
 
 TEST(AdaptiveSampling, LeavesAPlainImageAlone) {
-  AdaptiveSampling adaptive(50, 40, 0.01, 1024, {});
+  AdaptiveSampling adaptive(50, 40, 0.01, 1024, true, {});
   std::size_t passes = 0;
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
     for (const gpu::WorkItem& item : items) {
@@ -134,7 +239,7 @@ TEST(AdaptiveSampling, LeavesAPlainImageAlone) {
 }
 
 TEST(AdaptiveSampling, StopsAtTheMostSamplesAllowed) {
-  AdaptiveSampling adaptive(20, 20, 1e-4, 64, {});
+  AdaptiveSampling adaptive(20, 20, 1e-4, 64, false, {});
   std::mt19937 random(3);
   for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
     for (const gpu::WorkItem& item : items) adaptive.add(item, blackOrWhite(item, 0.5, random));

@@ -35,7 +35,8 @@ enum class FilmKind {
   kTarget,   // HalfSums, of a render to a target error
 };
 
-// The sums of a pixel's two independent sequences of samples.
+// The sums of the first and the second half of a pixel's samples, which are a power of two; two samples are
+// both in the first.
 struct HalfSums {
   PixelSum halves[2];
   // Sum over the samples of the mean over the channels of the squared colour, in fixed point as the others.

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "film files hold numbers as they are in memory");
 
-constexpr std::string_view kMagic = "lavaray film 1\n";
+constexpr std::string_view kMagic = "lavaray film 2\n";
 // Of the header; more is no film.
 constexpr std::uint64_t kMostHeaderBytes = 1U << 24U;
 constexpr std::size_t kChunkBytes = 1U << 20U;

@@ -31,9 +31,9 @@ std::unique_ptr<Sampling> makeSampling(const GpuScene& scene, const Camera& came
                                        const RenderSettings& settings) {
   const Rectangle& part = settings.crop;
   if (settings.targetError) {
-    return std::make_unique<TargetSampling>(AdaptiveSampling(part.x1 - part.x0, part.y1 - part.y0,
-                                                             *settings.targetError, settings.maxSamples,
-                                                             pixelsOfSmallObjects(scene, camera, settings)));
+    return std::make_unique<TargetSampling>(
+        AdaptiveSampling(part.x1 - part.x0, part.y1 - part.y0, *settings.targetError, settings.maxSamples,
+                         settings.sampler == Sampler::kSobol, pixelsOfSmallObjects(scene, camera, settings)));
   }
   if (settings.samples == 1) return std::make_unique<CenterSampling>(pixelsOf(part), settings.view);
   return std::make_unique<FixedSampling>(pixelsOf(part), sampleRange(settings), settings.view);

@@ -111,7 +111,7 @@ RenderSettings adaptiveSettings(const Scene& scene) {
 Image renderToTarget(const Scene& scene, const RenderSettings& settings, std::uint64_t largestPiece) {
   const GpuScene gpuScene = flatten(scene, 1);
   const auto [width, height] = settings.size;
-  AdaptiveSampling adaptive(width, height, *settings.targetError, settings.maxSamples,
+  AdaptiveSampling adaptive(width, height, *settings.targetError, settings.maxSamples, true,
                             pixelsOfSmallObjects(gpuScene, scene.camera, settings));
   Tracer tracer(testDevice(), gpuScene, scene.camera, settings, largestPiece);
   std::mt19937 random(5);

@@ -61,7 +61,7 @@ void main() {
   put(constants.maxDepth, end); put(constants.filterSize, end);
   put(constants.firstPixel, end); put(constants.tileShift, end); put(constants.tilesAcross, end);
   const WorkItem item = items[1];
-  put(item.pixel, end); put(item.sequence, end); put(item.first, end); put(item.count, end);
+  put(item.pixel, end); put(item.part, end); put(item.first, end); put(item.count, end);
   const WorkState state = states[1];
   put(state.sum, end); put(state.taken, end); put(state.color, end); put(state.bounce, end);
   put(state.step, end); put(state.squares, end); put(state.rays, end); put(state.padding0, end);

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "film/film.hpp"
+#include "render/sample_plan.hpp"
+
+namespace lavaray {
+
+// Estimates the squared error of each pixel of an image, and how it falls with more samples, from the samples
+// of the pixel and its neighbours.
+//
+// The halves of a pixel's samples are stratified as such, and together. Their means have the same
+// distribution, so that their difference says nothing of the mean of both: to stop where it is small does not
+// bias the image. From one pixel it is a rough estimate. So the differences of all pixels around say how the
+// error falls there, and the variance of the samples of the pixel, and of neighbours that are like it, how
+// large it is. A pixel that differs from a neighbour may have an edge that all its samples have missed.
+class ErrorEstimate {
+ public:
+  // Whether the samples of a pixel are stratified or independent. Squared errors far below `negligible` are
+  // estimated less well, and too high.
+  ErrorEstimate(int width, int height, bool isStratified, double negligible);
+
+  // A pixel's samples have changed; update() looks at it and its neighbours.
+  void mark(std::size_t pixel) { isMarked_[pixel] = 1; }
+  void markAll();
+  // `sums` of all pixels, each of a power of two of samples, at least two.
+  void update(std::span<const HalfSums> sums);
+
+  [[nodiscard]] std::span<const PixelClass> classes() const { return classes_; }
+
+ private:
+  // What a pixel's samples say, apart from its neighbours.
+  struct Statistics {
+    glm::vec3 mean;
+    float variance;    // of a sample
+    float difference;  // half of that of the halves' means, squared, times n^(3/2)
+    int sampleStep;    // n is 2 to the power of it
+  };
+
+  [[nodiscard]] static Statistics statistics(const HalfSums& sums);
+  [[nodiscard]] PixelClass classOf(int x, int y) const;
+  [[nodiscard]] int usualFallStep(int x, int y, float variance) const;
+  [[nodiscard]] int fallStepAround(int x, int y, int usualFallStep) const;
+  void updateRow(int y);
+
+  int width_;
+  int height_;
+  bool isStratified_;
+  float negligible_;
+  std::vector<std::uint8_t> isMarked_;
+  std::vector<Statistics> statistics_;
+  std::vector<PixelClass> classes_;
+};
+
+}  // namespace lavaray
