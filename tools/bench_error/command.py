@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import math
 import os
 import platform
 import sys
@@ -11,6 +12,7 @@ from bench_error import analysis, experiment, images, plot, povray, running, sce
 from bench_error.tables import Report
 
 ROOT = Path(__file__).resolve().parents[2]
+REFERENCE_SHARE = 0.25  # of the least target: the error that a reference may have
 
 DESCRIPTION = """\
 Measures how far lavaray's images are from the truth and what that costs: fixed sampling, random and Owen-Sobol,
@@ -88,7 +90,8 @@ def parse_options(arguments):
         help="of each fixed run, each with another seed, in turns (default: 3)")
     add("--seeds", type=positive, default=5, metavar="N", help="of each adaptive run (default: 5)")
     add("--reference-spp", type=positive, metavar="N",
-        help="samples a pixel of the references (default: 16 times the most of --spp, at least 1024)")
+        help="samples a pixel of the references, at least (default: 16 times the most of --spp, at least 1024); "
+             "they have more where their own error is not small against the least of --targets")
     add("--keep-references", action="store_true",
         help="take kept references of any build of the program: right as long as the pictures it makes are")
     add("--clock", choices=("cpu", "wall"), default="cpu",
@@ -188,6 +191,7 @@ def run(options):
     for scene in chosen:
         progress(f"reference of {scene.name}, {options.reference_spp} samples a pixel")
         references[scene.name] = running.reference(program, scene, files[scene.name], options.reference_spp,
+                                                   REFERENCE_SHARE * min(options.targets, default=math.inf),
                                                    options.out / "references", options.keep_references)
     teams = [experiment.Team(program, files, experiment.contestants(options.spp, options.targets)),
              experiment.Team(rival, peers.files, povray.contestants(options.quick))]

@@ -93,28 +93,32 @@ def write_scene(scene, folder):
     return file
 
 
-def reference(program, scene, scene_file, samples, folder, any_build=False):
+def reference(program, scene, scene_file, samples, error, folder, any_build=False):
     """The mean of two halves with seeds of their own. Half their difference is what is left of the error, if
-    the halves are independent: rmse(a - b) / 2 = rmse of (a + b) / 2. With any_build a kept reference of
-    another build of the program will do."""
-    half = max(samples // 2, 1)
+    the halves are independent: rmse(a - b) / 2 = rmse of (a + b) / 2. Where that is above `error`, it has four times
+    the samples, or more. With any_build a kept reference of another build of the program will do."""
+    halves = [reference_half(program, scene, scene_file, max(samples // 2, 1), seed, folder, any_build)
+              for seed in REFERENCE_SEEDS]
+    left = rmse(*halves) / 2
+    if left > error:
+        return reference(program, scene, scene_file, 4 * samples, error, folder, any_build)
+    return Reference(mean(*halves), left, 2 * max(samples // 2, 1))
+
+
+def reference_half(program, scene, scene_file, samples, seed, folder, any_build):
     meshes = [f"{name}\n{obj}" for name, obj in sorted(scene.meshes.items())]
-    name = f"{scene.name}-{short_hash(scene.text, str(half), *meshes)}"
-    build = short_hash(program.identity())
-    halves = []
-    for seed in REFERENCE_SEEDS:
-        file = folder / f"{name}-{build}-{seed}.pfm"
-        kept = sorted(folder.glob(f"{name}-*-{seed}.pfm"), key=lambda f: f.stat().st_mtime)
-        if any_build and kept:
-            file = kept[-1]
-        if not file.exists():
-            folder.mkdir(parents=True, exist_ok=True)
-            options = ["--spp", str(half), "--sampler", "sobol", "--seed", str(seed)]
-            part = file.with_suffix(".part")  # so that an interrupted run leaves no half-written reference
-            write_pfm(part, program.render(scene_file, options).image)
-            part.rename(file)
-        halves.append(read_pfm(file))
-    return Reference(mean(*halves), rmse(*halves) / 2, 2 * half)
+    name = f"{scene.name}-{short_hash(scene.text, str(samples), *meshes)}"
+    file = folder / f"{name}-{short_hash(program.identity())}-{seed}.pfm"
+    kept = sorted(folder.glob(f"{name}-*-{seed}.pfm"), key=lambda f: f.stat().st_mtime)
+    if any_build and kept:
+        file = kept[-1]
+    if not file.exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        options = ["--spp", str(samples), "--sampler", "sobol", "--seed", str(seed)]
+        part = file.with_suffix(".part")  # so that an interrupted run leaves no half-written reference
+        write_pfm(part, program.render(scene_file, options).image)
+        part.rename(file)
+    return read_pfm(file)
 
 
 def short_hash(*parts):
