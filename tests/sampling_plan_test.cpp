@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <random>
 
 #include "film/pixel_sum.hpp"
 #include "render/adaptive.hpp"
 #include "render/convergence.hpp"
+#include "render/error_estimate.hpp"
 #include "render/pixel_filter.hpp"
 #include "render/sample_plan.hpp"
 
@@ -132,6 +134,28 @@ gpu::WorkResult blackOrWhite(const gpu::WorkItem& item, double probabilityOfWhit
   return {glm::vec3(white), white};
 }
 
+// A point of a two-dimensional Sobol sequence with a digital shift of its own, in the unit square.
+struct SobolPoints {
+  std::uint32_t shiftX;
+  std::uint32_t shiftY;
+  [[nodiscard]] glm::dvec2 at(std::uint32_t index) const {
+    std::uint32_t x = shiftX;
+    std::uint32_t y = shiftY;
+    std::uint32_t columnX = 1U << 31U;
+    std::uint32_t columnY = 1U << 31U;
+    for (; index > 0; index /= 2) {
+      if (index % 2 == 1) x ^= columnX, y ^= columnY;
+      columnX >>= 1U;
+      columnY ^= columnY >> 1U;
+    }
+    return {x * 0x1p-32, y * 0x1p-32};
+  }
+};
+
+SobolPoints randomPoints(std::mt19937& random) {
+  return {static_cast<std::uint32_t>(random()), static_cast<std::uint32_t>(random())};
+}
+
 // Every twentieth column has an edge of its own in each pixel, which divides 0 from 1: a sample at (x, y) in
 // the unit square is 1 where x + slope * y < offset.
 class EdgeImage {
@@ -143,8 +167,7 @@ class EdgeImage {
       const int x = static_cast<int>(i) % width;
       edges_[i].offset = x % 20 == 10 ? uniform(random) : (x / 10 % 2 == 0 ? 0.0 : 2.0);
       edges_[i].slope = x % 20 == 10 ? uniform(random) : 0.0;
-      edges_[i].shiftX = static_cast<std::uint32_t>(random());
-      edges_[i].shiftY = static_cast<std::uint32_t>(random());
+      edges_[i].points = randomPoints(random);
     }
   }
 
@@ -167,16 +190,8 @@ class EdgeImage {
     const Edge& edge = edges_[item.pixel];
     int hits = 0;
     for (std::uint32_t i = item.first; i < item.first + item.count; ++i) {
-      std::uint32_t x = edge.shiftX;
-      std::uint32_t y = edge.shiftY;
-      std::uint32_t columnX = 1U << 31U;
-      std::uint32_t columnY = 1U << 31U;
-      for (std::uint32_t bits = i; bits > 0; bits /= 2) {
-        if (bits % 2 == 1) x ^= columnX, y ^= columnY;
-        columnX >>= 1U;
-        columnY ^= columnY >> 1U;
-      }
-      hits += x * 0x1p-32 + edge.slope * y * 0x1p-32 < edge.offset ? 1 : 0;
+      const glm::dvec2 point = edge.points.at(i);
+      hits += point.x + edge.slope * point.y < edge.offset ? 1 : 0;
     }
     return {glm::vec3(static_cast<float>(hits)), static_cast<float>(hits)};
   }
@@ -185,11 +200,68 @@ class EdgeImage {
   struct Edge {
     double offset;
     double slope;
-    std::uint32_t shiftX;
-    std::uint32_t shiftY;
+    SobolPoints points;
   };
   std::vector<Edge> edges_;
 };
+
+// The estimated error of an image against its true one, of `value` at points of the image with `samples` of a
+// pixel.
+template <typename Value>
+double estimatedOverTrue(int samples, bool isStratified, const Value& value) {
+  constexpr int kSize = 60;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<HalfSums> sums(kSize * kSize);
+  double squares = 0.0;
+  for (int pixel = 0; pixel < kSize * kSize; ++pixel) {
+    const glm::dvec2 corner(pixel % kSize, pixel / kSize);
+    const SobolPoints points = randomPoints(random);
+    for (int i = 0; i < samples; ++i) {
+      const glm::dvec2 independent(uniform(random), uniform(random));
+      const auto sample = static_cast<float>(
+          value(corner + (isStratified ? points.at(static_cast<std::uint32_t>(i)) : independent)));
+      sums[pixel].halves[i >= samples / 2 && samples > 2 ? 1 : 0].add(glm::vec3(sample), 1);
+      sums[pixel].squares += PixelSum::toFixedPoint(sample * sample);
+    }
+    constexpr int kGrid = 32;
+    double truth = 0.0;
+    for (int i = 0; i < kGrid * kGrid; ++i)
+      truth += value(corner + glm::dvec2(i % kGrid + 0.5, i / kGrid + 0.5) / double{kGrid});
+    PixelSum all = sums[pixel].halves[0];
+    all.add(sums[pixel].halves[1]);
+    squares += std::pow(all.mean().r - truth / (kGrid * kGrid), 2.0);
+  }
+  ErrorEstimate estimate(kSize, kSize, isStratified, 0.0);
+  estimate.markAll();
+  estimate.update(sums);
+  double estimated = 0.0;
+  for (const PixelClass& pixel : estimate.classes()) estimated += pixel.squaredError();
+  return std::sqrt(estimated / squares);
+}
+
+// Stripes whose edges run through all pixels at several angles; shading that curves.
+double stripes(const glm::dvec2& p) {
+  return std::fmod(0.73 * p.x + 0.31 * p.y, 2.0) < 1.0 ? 0.2 : 0.8;
+}
+double shading(const glm::dvec2& p) {
+  return 0.5 + 0.3 * std::sin(0.11 * p.x) * std::cos(0.07 * p.y);
+}
+
+TEST(ErrorEstimate, IsTheErrorAtEdgesOnShadingAndOfIndependentSamples) {
+  for (const int samples : {2, 4, 8, 16, 64}) {
+    const double edges = estimatedOverTrue(samples, true, stripes);
+    const double smooth = estimatedOverTrue(samples, true, shading);
+    const double independent = estimatedOverTrue(samples, false, stripes);
+    std::cout << samples << " samples, estimated over true error: edges " << edges << ", smooth " << smooth
+              << ", independent " << independent << "\n";
+    EXPECT_GT(edges, 0.8);
+    EXPECT_LT(edges, 1.5);
+    EXPECT_GT(smooth, 0.7);
+    EXPECT_LT(smooth, 1.5);
+    EXPECT_NEAR(independent, 1.0, samples < 4 ? 0.25 : 0.1);
+  }
+}
 
 TEST(AdaptiveSampling, HonoursItsTargetAndSpendsOnEdges) {
   constexpr int kWidth = 200;

@@ -14,11 +14,12 @@ namespace lavaray {
 // Estimates the squared error of each pixel of an image, and how it falls with more samples, from the samples
 // of the pixel and its neighbours.
 //
-// The halves of a pixel's samples are stratified as such, and together. Their means have the same
-// distribution, so that their difference says nothing of the mean of both: to stop where it is small does not
-// bias the image. From one pixel it is a rough estimate. So the differences of all pixels around say how the
-// error falls there, and the variance of the samples of the pixel, and of neighbours that are like it, how
-// large it is. A pixel that differs from a neighbour may have an edge that all its samples have missed.
+// Both halves of a pixel's samples are stratified, each by itself and together. Their means have the same
+// distribution, so that their difference is not correlated with the mean of both: to stop where it is small
+// does not bias the image. From one pixel it is a rough estimate. So the differences of all pixels around say
+// how the error falls there, and the variance of the samples of the pixel, and of neighbours that are like
+// it, how large it is. A pixel that differs from a neighbour may have an edge that all its samples have
+// missed.
 class ErrorEstimate {
  public:
   // Whether the samples of a pixel are stratified or independent. Squared errors far below `negligible` are
