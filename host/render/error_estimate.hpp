@@ -15,10 +15,11 @@ namespace lavaray {
 // of the pixel and its neighbours.
 //
 // Both halves of a pixel's samples are stratified, each by itself and together. Their means have the same
-// distribution, so that their difference is not correlated with the mean of both: to stop where it is small
-// does not bias the image. From one pixel it is a rough estimate. So the differences of all pixels around say
-// how the error falls there, and the variance of the samples of the pixel, and of neighbours that are like
-// it, how large it is. A pixel that differs from a neighbour may have an edge that all its samples have
+// distribution, so that their difference is not correlated with the mean of both, and to stop where it is
+// small does not bias the image. From one pixel it is a rough estimate. So the differences of all pixels
+// around say how the error falls there, and the variance of the samples of the pixel, and of neighbours that
+// are like it, how large it is. That biases a little: samples that are all alike look easy, whichever of two
+// values they missed. A pixel that differs from a neighbour may have an edge that all its samples have
 // missed.
 class ErrorEstimate {
  public:
