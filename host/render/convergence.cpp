@@ -9,7 +9,8 @@ namespace {
 constexpr int kStepsPerDoubling = 4;  // of the differences' table
 
 // The squared error of n > 1 samples is this many times n^-fall, in units of the true variance: 1 where the
-// fall is 1 by definition, and 1 for a linear function, whose fall is 3. At edges it was measured.
+// fall is 1 by definition, and 1 for a linear function, whose fall is 3. At edges nets of 4 to 64 samples
+// have 0.66; of the values tried, this one led to the fewest samples for an error.
 constexpr double kFactorAtEdges = 0.8;
 
 double factor(double fall) {

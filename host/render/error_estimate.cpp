@@ -38,11 +38,9 @@ constexpr float kRoughShare = 0.7F;
 // target is undercut for nothing, lower and it is passed.
 constexpr float kUnseenShare = 0.05F;
 
-float meanSquare(const glm::vec3& v) {
-  return (v.r * v.r + v.g * v.g + v.b * v.b) / 3.0F;
-}
-double meanSquare(const glm::dvec3& v) {
-  return (v.r * v.r + v.g * v.g + v.b * v.b) / 3.0;
+template <typename Vector>
+auto meanSquare(const Vector& v) {
+  return (v.r * v.r + v.g * v.g + v.b * v.b) / 3;
 }
 
 // Where two pixels differ there may be an edge that happens to lie beyond all samples of either. Of an edge
