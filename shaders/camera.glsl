@@ -13,7 +13,8 @@ float filterOffset(float u, uint filterSize) {
   if (filterSize == 0u) return u - 0.5;
   const float position = u * float(filterSize - 1u);
   const uint entry = min(uint(position), filterSize - 2u);
-  return mix(filterOffsets[entry], filterOffsets[entry + 1u], position - float(entry));
+  const float fraction = position - float(entry);
+  return (1.0 - fraction) * filterOffsets[entry] + fraction * filterOffsets[entry + 1u];
 }
 
 // Ray through a position on the image plane: (0, 0) is its top left corner and (2 halfImage.x, 2 halfImage.y)

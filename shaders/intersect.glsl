@@ -1,8 +1,8 @@
 // Where a ray meets a box, a triangle, a sphere or a plane.
 //
-// The sign of a difference of products decides hit or miss here. `precise` forbids the compiler to contract or
-// to reorder it: rounding alone never turns such a sign, it can only make it zero, and zero counts as inside.
-// It holds for what is computed into the variable, not for a condition, so all arithmetic has its variable.
+// The sign of a difference of products decides hit or miss here. Rounding alone never turns such a sign, it can only
+// make it zero, and zero counts as inside; contracting or reordering does turn it, and is forbidden to compilers in all
+// of the shaders' arithmetic (host/shaderc/exact_spirv.hpp).
 // A ray is o + t d, where d may have any length; a hit has 0 < t < infinity. The tests are written so that a
 // NaN fails them.
 #ifndef INTERSECT_GLSL
@@ -29,18 +29,15 @@ vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : 
 
 RayConstants rayConstants(Ray ray) {
   RayConstants constants;
-  precise const vec3 inverse = 1.0 / ray.direction;
-  constants.inverse = inverse;
+  constants.inverse = 1.0 / ray.direction;
   constants.negative = lessThan(constants.inverse, vec3(0.0));
   const vec3 size = abs(ray.direction);
   constants.axis = size.z >= size.x && size.z >= size.y ? 2u : (size.y >= size.x ? 1u : 0u);
   const vec3 direction = permute(ray.direction, constants.axis);
   // 2^-e for |z| = m 2^e, by its exponent bits: e becomes -e.
   const uint exponentBits = floatBitsToUint(direction.z) & 0x7F800000u;
-  precise const vec3 shear = direction * uintBitsToFloat(0x7F000000u - exponentBits);
-  precise const float inverseZ = 1.0 / direction.z;
-  constants.shear = shear;
-  constants.inverseZ = inverseZ;
+  constants.shear = direction * uintBitsToFloat(0x7F000000u - exponentBits);
+  constants.inverseZ = 1.0 / direction.z;
   return constants;
 }
 
@@ -55,12 +52,12 @@ vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], 
   vec4 entry = vec4(0.0);
   vec4 exit = vec4(tMax);
   for (int axis = 0; axis < 3; ++axis) {
-    precise const vec4 tNear = (near[axis] - ray.origin[axis]) * constants.inverse[axis];
-    precise const vec4 tFar = (far[axis] - ray.origin[axis]) * constants.inverse[axis];
+    const vec4 tNear = (near[axis] - ray.origin[axis]) * constants.inverse[axis];
+    const vec4 tFar = (far[axis] - ray.origin[axis]) * constants.inverse[axis];
     entry = mix(entry, tNear, greaterThan(tNear, entry));
     exit = mix(exit, tFar, lessThan(tFar, exit));
   }
-  precise const vec4 paddedExit = exit * 1.00000024;
+  const vec4 paddedExit = exit * 1.00000024;
   return mix(vec4(kInfinity), entry, lessThanEqual(entry, paddedExit));
 }
 
@@ -73,22 +70,22 @@ vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], 
 // the ray's z instead of divided: then the vertices of a scene in round numbers are sheared exactly, and a
 // pixel's centre on an edge hits it.
 float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c, out vec3 weights) {
-  precise const vec3 localA = permute(a - ray.origin, constants.axis);
-  precise const vec3 localB = permute(b - ray.origin, constants.axis);
-  precise const vec3 localC = permute(c - ray.origin, constants.axis);
-  precise const vec2 shearedA = localA.xy * constants.shear.z - constants.shear.xy * localA.z;
-  precise const vec2 shearedB = localB.xy * constants.shear.z - constants.shear.xy * localB.z;
-  precise const vec2 shearedC = localC.xy * constants.shear.z - constants.shear.xy * localC.z;
-  precise const vec3 areas = vec3(shearedC.x * shearedB.y - shearedC.y * shearedB.x,
+  const vec3 localA = permute(a - ray.origin, constants.axis);
+  const vec3 localB = permute(b - ray.origin, constants.axis);
+  const vec3 localC = permute(c - ray.origin, constants.axis);
+  const vec2 shearedA = localA.xy * constants.shear.z - constants.shear.xy * localA.z;
+  const vec2 shearedB = localB.xy * constants.shear.z - constants.shear.xy * localB.z;
+  const vec2 shearedC = localC.xy * constants.shear.z - constants.shear.xy * localC.z;
+  const vec3 areas = vec3(shearedC.x * shearedB.y - shearedC.y * shearedB.x,
                                   shearedA.x * shearedC.y - shearedA.y * shearedC.x,
                                   shearedB.x * shearedA.y - shearedB.y * shearedA.x);
   weights = vec3(0.0);
   if (any(lessThan(areas, vec3(0.0))) && any(greaterThan(areas, vec3(0.0)))) return kInfinity;
-  precise const float sum = areas.x + areas.y + areas.z;
+  const float sum = areas.x + areas.y + areas.z;
   if (sum == 0.0) return kInfinity;
   weights = areas / sum;
-  precise const float depth = weights.x * localA.z + weights.y * localB.z + weights.z * localC.z;
-  precise const float t = depth * constants.inverseZ;
+  const float depth = weights.x * localA.z + weights.y * localB.z + weights.z * localC.z;
+  const float t = depth * constants.inverseZ;
   return t > 0.0 ? t : kInfinity;
 }
 
@@ -99,32 +96,32 @@ float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c,
 // one: each is used where its terms are the smaller ones. In c, the largest axis pairs with the radius.
 // Based on: Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
 float intersectSphere(Ray ray, vec3 center, float radius) {
-  precise const vec3 f = ray.origin - center;
+  const vec3 f = ray.origin - center;
   const float a = preciseDot(ray.direction, ray.direction);
   const float b = -preciseDot(f, ray.direction);
   const vec3 size = abs(f);
   const float m = maxComponent(size);
   const vec2 others = size.x == m ? size.yz : (size.y == m ? size.xz : size.xy);
-  precise const float c = (m - radius) * (m + radius) + (others.x * others.x + others.y * others.y);
+  const float c = (m - radius) * (m + radius) + (others.x * others.x + others.y * others.y);
   if (!(b > 0.0 && c > 0.0)) return kInfinity;
-  precise const float radius2 = radius * radius;
-  precise const float b2 = b * b;
-  precise const float huge = a * radius2;
-  precise float discriminant;
+  const float radius2 = radius * radius;
+  const float b2 = b * b;
+  const float huge = a * radius2;
+  float discriminant;
   if (b2 < huge) {
     discriminant = b2 - a * c;
   } else {
-    precise const vec3 offset = f + (b / a) * ray.direction;
+    const vec3 offset = f + (b / a) * ray.direction;
     discriminant = a * (radius2 - preciseDot(offset, offset));
   }
   if (!(discriminant >= 0.0)) return kInfinity;
-  precise const float t = c / (b + sqrt(discriminant));
+  const float t = c / (b + sqrt(discriminant));
   return t > 0.0 ? t : kInfinity;
 }
 
 // Distance to the plane, or infinity.
 float intersectPlane(Ray ray, vec3 normal, float distance) {
-  precise const float t = (distance - preciseDot(normal, ray.origin)) / preciseDot(normal, ray.direction);
+  const float t = (distance - preciseDot(normal, ray.origin)) / preciseDot(normal, ray.direction);
   return t > 0.0 ? t : kInfinity;  // 0 / 0 is a ray inside the plane: NaN, a miss; x / 0 is infinite
 }
 

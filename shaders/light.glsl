@@ -26,7 +26,7 @@ void orthonormalBasis(vec3 z, out vec3 x, out vec3 y) {
 // Lighting Calculations", 1996.
 LightSample sampleSphericalLight(Light light, vec3 position, vec2 u) {
   const vec3 axis = light.position - position;
-  const float distance = length(axis);
+  const float distance = preciseLength(axis);
   const float sineSquared = (light.radius / distance) * (light.radius / distance);
   const bool inside = !(sineSquared < 1.0);
   const float widestOneMinusCosine = inside ? 2.0 : sineSquared / (1.0 + sqrt(1.0 - sineSquared));

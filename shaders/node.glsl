@@ -7,8 +7,7 @@
 
 // Four sides, a byte each, of boxes in a node's frame.
 vec4 decodeSides(uint sides, float origin, float unit) {
-  precise const vec4 decoded = vec4((uvec4(sides) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
-  return decoded;
+  return vec4((uvec4(sides) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
 }
 
 // Where the ray enters the boxes of the node's children, as intersectBoxes.

@@ -42,7 +42,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   segment.weight = min(segment.weight * material.reflectance, vec3(3.4e38));
   if (maxComponent(segment.weight) < kMinReflectance) return true;
   const vec3 incoming = unit(segment.ray.direction);
-  const vec3 direction = incoming - 2.0 * dot(incoming, point.shadingNormal) * point.shadingNormal;
+  const vec3 direction = incoming - 2.0 * preciseDot(incoming, point.shadingNormal) * point.shadingNormal;
   segment.ray = Ray(leave(point, direction), direction);
   segment.skipped = hit.surface;
   segment.start = kRootGroup;

@@ -53,7 +53,7 @@ bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState 
     if (kView == kViewCost) color = vec3(path.rays);
     if (kView != kViewCost && kView != kViewDepth) color = displayed(color);
     state.sum += color;
-    state.squares += dot(color, color) / 3.0;
+    state.squares += preciseDot(color, color) / 3.0;
     ++state.taken;
     path = PathState(vec3(0.0), 0u, 0u, 0u);
   }

@@ -9,7 +9,7 @@
 // lost in the dot product.
 float oneMinusCosine(vec3 a, vec3 b) {
   const vec3 difference = a - b;
-  return 0.5 * dot(difference, difference);
+  return 0.5 * preciseDot(difference, difference);
 }
 
 // cosine^shininess, with 0^0 = 1; a negative cosine counts as 0. The built-in pow is undefined for 0^0, and close to 1
@@ -28,7 +28,7 @@ float specularPower(float oneMinusCosine, float shininess) {
 // direction (toLight is 0) and adds its ambient term only.
 vec3 phong(Material material, Light light, vec3 normal, vec3 toLight, vec3 toViewer) {
   vec3 color = light.ambient * material.ambient;
-  const float cosine = dot(toLight, normal);
+  const float cosine = preciseDot(toLight, normal);
   if (cosine > 0.0) {
     const vec3 reflected = 2.0 * cosine * normal - toLight;
     color += light.diffuse * material.diffuse * cosine;

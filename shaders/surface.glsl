@@ -23,9 +23,9 @@ const float kExtentUlps = 4.0;
 
 // Moves a point near a plane onto it; what is left is the rounding of the distance, not that of t.
 SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction) {
-  precise const float offPlane = preciseDot(normal, near) - distance;
-  precise const vec3 position = near - offPlane * normal;
-  precise const float error =
+  const float offPlane = preciseDot(normal, near) - distance;
+  const vec3 position = near - offPlane * normal;
+  const float error =
       kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(position)) + abs(distance));
   const vec3 facing = preciseDot(normal, direction) > 0.0 ? -normal : normal;
   return SurfacePoint(position, error, facing, facing);
@@ -33,8 +33,8 @@ SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction
 
 SurfacePoint pointOnSphere(vec3 near, vec3 center, float radius) {
   const vec3 normal = unit(near - center);
-  precise const vec3 position = center + radius * normal;
-  precise const float error = kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(center)) + radius);
+  const vec3 position = center + radius * normal;
+  const float error = kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(center)) + radius);
   return SurfacePoint(position, error, normal, normal);
 }
 
@@ -44,15 +44,14 @@ vec3 interpolatedNormal(uint firstCornerNormal, vec3 weights, vec3 facing) {
   const vec3 normal = unit(weights.x * fetchCornerNormal(firstCornerNormal).normal +
                            weights.y * fetchCornerNormal(firstCornerNormal + 1u).normal +
                            weights.z * fetchCornerNormal(firstCornerNormal + 2u).normal);
-  return dot(normal, facing) < 0.0 ? -normal : normal;
+  return preciseDot(normal, facing) < 0.0 ? -normal : normal;
 }
 
 SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direction) {
   const TrianglePlane plane = fetchTrianglePlane(hit.surface);
   SurfacePoint point = pointOnPlane(near, plane.normal, plane.distance, direction);
   const vec3 extent = max(abs(primitive.b - primitive.a), abs(primitive.c - primitive.a));
-  precise const float error = point.error + kExtentUlps * kHalfUlp * maxComponent(extent);
-  point.error = error;
+  point.error += kExtentUlps * kHalfUlp * maxComponent(extent);
   if (kHasCornerNormals && primitive.kind != kNoCornerNormals) {
     const vec3 normal = interpolatedNormal(primitive.kind, hit.weights, point.geometricNormal);
     if (normal != vec3(0.0)) point.shadingNormal = normal;
@@ -61,7 +60,7 @@ SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direc
 }
 
 SurfacePoint surfacePoint(Ray ray, Hit hit) {
-  precise const vec3 near = ray.origin + hit.t * ray.direction;
+  const vec3 near = ray.origin + hit.t * ray.direction;
   if (kPlaneCount > 0u && (hit.surface & kPlaneBit) != 0u) {
     const Plane plane = fetchPlane(hit.surface & ~kPlaneBit);
     return pointOnPlane(near, plane.normal, plane.distance, ray.direction);
@@ -77,8 +76,7 @@ SurfacePoint surfacePoint(Ray ray, Hit hit) {
 // side that the ray is on, so that no part of the surface is found at distance zero.
 vec3 leave(SurfacePoint point, vec3 direction) {
   const float side = preciseDot(point.geometricNormal, direction) < 0.0 ? -1.0 : 1.0;
-  precise const vec3 origin = point.position + (side * point.error) * point.geometricNormal;
-  return origin;
+  return point.position + (side * point.error) * point.geometricNormal;
 }
 
 #endif

@@ -23,7 +23,7 @@ vec3 objectColor(uint object) {
 // The depth comes with a 1, so that its sum over samples has their number: those that hit nothing have no depth.
 vec3 viewedSurface(Ray ray, Hit hit, SurfacePoint point) {
   if (kView == kViewNormal) return 0.5 * point.shadingNormal + 0.5;
-  if (kView == kViewDepth) return vec3(min(hit.t * length(ray.direction), kFarthest), 1.0, 0.0);
+  if (kView == kViewDepth) return vec3(min(hit.t * preciseLength(ray.direction), kFarthest), 1.0, 0.0);
   return objectColor(hit.object);
 }
 

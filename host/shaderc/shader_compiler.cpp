@@ -8,6 +8,7 @@
 
 #include "core/place.hpp"
 #include "shaderc/compiler_log.hpp"
+#include "shaderc/exact_spirv.hpp"
 #include "shaderc/shader_interface.hpp"
 #include "shaderc/shader_sources.hpp"
 
@@ -111,11 +112,10 @@ class Compilation {
   }
   std::string log() { return std::string(shader_.getInfoLog()) + "\n" + program_.getInfoLog(); }
 
-  // glslangValidator -Os
+  // As glslangValidator does without options.
   std::vector<std::uint32_t> generate() {
     glslang::SpvOptions options;
-    options.disableOptimizer = false;
-    options.optimizeSize = true;
+    options.disableOptimizer = true;
     std::vector<std::uint32_t> spirv;
     glslang::GlslangToSpv(*program_.getIntermediate(EShLangCompute), spirv, &options);
     return spirv;
@@ -226,7 +226,7 @@ CompiledShader compileRenderShader(const std::filesystem::path& directory, bool 
   if (!isLinked) complaints.add(complaints.placed({}, "does not compile, and the compiler gives no reason"));
   complaints.throwIfAny();
 
-  std::vector<std::uint32_t> spirv = compilation.generate();
+  std::vector<std::uint32_t> spirv = finishShader(compilation.generate());
   if (const std::string reason = validate(spirv); !reason.empty())
     complaints.add(complaints.placed({}, "the compiler makes SPIR-V of it that is not valid: " + reason));
   complaints.throwIfAny();

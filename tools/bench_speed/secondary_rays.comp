@@ -14,7 +14,7 @@ layout(push_constant) uniform PushConstants { BatchConstants constants; };
 const BatchRay kNoRay = BatchRay(vec3(0.0), -1.0, vec3(0.0), kNoSurface);
 
 BatchRay mirrorRay(vec3 incoming, SurfacePoint point, uint surface) {
-  const vec3 direction = incoming - 2.0 * dot(incoming, point.shadingNormal) * point.shadingNormal;
+  const vec3 direction = incoming - 2.0 * preciseDot(incoming, point.shadingNormal) * point.shadingNormal;
   return BatchRay(leave(point, direction), kInfinity, direction, surface);
 }
 

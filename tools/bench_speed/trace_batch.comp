@@ -23,7 +23,7 @@ void main() {
   const float tMax = uintBitsToFloat(t0.w);
   const uint skipped = t1.w;
   if (kBatchMode == kBatchNoTrace) {
-    distances[index] = dot(ray.origin, ray.direction) + tMax + float(skipped);
+    distances[index] = preciseDot(ray.origin, ray.direction) + tMax + float(skipped);
     return;
   }
   Hit hit = missUpTo(tMax);
