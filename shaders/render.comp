@@ -95,9 +95,13 @@ void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.itemCount) return;
   WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0.0, 0u, 0u);
-  if (kResumable && constants.pass != kPassAll) {
-    if (results[index].squares >= 0.0) return;
-    if (constants.pass == kPassResumed) state = states[index];
+  if (kResumable) {
+    // Both are read whether the pass needs them or not: what Mesa 26.1's llvmpipe makes of a buffer that it first
+    // reads under a condition ends in a fault.
+    const float squares = results[index].squares;
+    const WorkState left = states[index];
+    if (constants.pass != kPassAll && squares >= 0.0) return;
+    if (constants.pass == kPassResumed) state = left;
   }
   const WorkState before = state;
   RayCounts counts = RayCounts(0u, 0u, 0u);
