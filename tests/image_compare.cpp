@@ -57,6 +57,19 @@ Comparison compare(const std::vector<float>& rgb, const oracle::Result& expected
   return result;
 }
 
+bool showsAlternative(const std::vector<float>& rgb, std::size_t index, const oracle::Pixel& expected) {
+  constexpr double kHalfLevel = 0.5 / 255.0;
+  return std::ranges::any_of(expected.alternatives, [&](const glm::dvec3& color) {
+    double largest = 0.0;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double difference =
+          std::abs(double{rgb[3 * index + static_cast<std::size_t>(channel)]} - color[channel]);
+      largest = std::isnan(difference) ? HUGE_VAL : std::max(largest, difference);
+    }
+    return largest <= kHalfLevel;
+  });
+}
+
 std::string describe(const Comparison& comparison) {
   std::ostringstream text;
   text << comparison.wrong << " of " << comparison.total << " pixels wrong, largest difference "

@@ -26,6 +26,12 @@ Comparison compare(const std::vector<float>& rgb, const oracle::Result& expected
 
 std::string describe(const Comparison& comparison);
 
+// Whether a pixel of a float image is off the oracle's because the device rounds a ray that passes through an
+// edge to its other side, as it may for a whole row of pixels where that is how the edge lies. Then it has
+// one of the colours that are there, which vary by less than half a level over the width of the oracle's
+// probes, and no colour between them.
+bool showsAlternative(const std::vector<float>& rgb, std::size_t index, const oracle::Pixel& expected);
+
 // Two 8-bit images. `wrong` counts the pixels that differ by more than one level and are not at an edge,
 // which is where the oracle is uncertain of the pixel itself or of one of its eight neighbours.
 struct ByteComparison {

@@ -338,6 +338,23 @@ TEST(ImageCompare, CountsCertainPixelsThatAreOff) {
   EXPECT_THROW(compare(rgb, expected), std::invalid_argument);
 }
 
+TEST(ImageCompare, KnowsWhatIsOnTheOtherSideOfAnEdge) {
+  // A ray through the horizon of a plane sees it or not.
+  Scene scene;
+  scene.camera = {{0, 0, 0}, 90.0, 1.5, 1.0};
+  scene.materials = {{.ambient = {0.5, 0.25, 0.75}}};
+  scene.planes = {{{0, 1, 0}, {0, -1, 0}, 0}};
+  const oracle::Result image = oracle::render(scene);
+  ASSERT_EQ(image.height, 3);
+  const Pixel& horizon = image.pixels[4];
+  ASSERT_TRUE(horizon.uncertain);
+  EXPECT_TRUE(showsAlternative({0.0F, 0.0F, 0.0F}, 0, horizon));
+  EXPECT_TRUE(showsAlternative({0.5F, 0.25F, 0.75F}, 0, horizon));
+  EXPECT_FALSE(showsAlternative({0.25F, 0.125F, 0.375F}, 0, horizon));
+  EXPECT_FALSE(showsAlternative({0.5F, 0.25F, std::numeric_limits<float>::quiet_NaN()}, 0, horizon));
+  EXPECT_FALSE(showsAlternative({0.5F, 0.25F, 0.75F}, 0, image.pixels[7]));  // certain
+}
+
 TEST(ImageCompare, ForgivesEdgesOfByteImages) {
   oracle::Result oracle{4, 1, std::vector<Pixel>(4, {dvec3(0.5), false})};
   const std::vector<std::uint8_t> expected = truncatedBytes(oracle);

@@ -177,14 +177,17 @@ Pixel renderCenter(const Tracer& tracer, const View& view, int x, int y, double 
     return tracer.trace(view.direction(x + 0.5 + dx, y + 0.5 + dy), compareCoincident);
   };
   const Trace center = traceAt(0.0, 0.0, true);
-  Pixel pixel{glm::clamp(center.color, 0.0, 1.0), !center.certain, {}};
+  Pixel pixel{glm::clamp(center.color, 0.0, 1.0), !center.certain, {}, {}};
   if (offset == 0.0) return pixel;
   for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1 && !pixel.uncertain; ++dx) {
+    for (int dx = -1; dx <= 1; ++dx) {
       if (dx == 0 && dy == 0) continue;
-      pixel.uncertain = !tracer.agree(center, traceAt(dx * offset, dy * offset, false));
+      const Trace probe = traceAt(dx * offset, dy * offset, false);
+      pixel.uncertain = pixel.uncertain || !tracer.agree(center, probe);
+      pixel.alternatives.push_back(glm::clamp(probe.color, 0.0, 1.0));
     }
   }
+  if (!pixel.uncertain) pixel.alternatives.clear();
   return pixel;
 }
 
@@ -197,7 +200,7 @@ Pixel renderSamples(const Tracer& tracer, const View& view, int x, int y, int sa
     const Trace trace = tracer.trace(view.direction(x + dx, y + dy), false, &random);
     mean.add(glm::clamp(trace.color, 0.0, 1.0));
   }
-  return {mean.value(), false, mean.standardError()};
+  return {mean.value(), false, {}, mean.standardError()};
 }
 
 }  // namespace

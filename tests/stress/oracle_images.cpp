@@ -6,7 +6,9 @@
 #include <cstdlib>
 
 #include "gpu/render_scene.hpp"
+#include "gpu/test_device.hpp"
 #include "image/image_file.hpp"
+#include "image_compare.hpp"
 #include "oracle/oracle.hpp"
 #include "scene_files.hpp"
 #include "stress/report.hpp"
@@ -23,9 +25,10 @@ struct Outcome {
   std::size_t pixels = 0;
   std::size_t uncertain = 0;      // float32 may decide otherwise: silhouettes, shadow edges, ...
   std::size_t beyond = 0;         // farther off than the tolerance
+  std::size_t otherwise = 0;      // of these, those that show what is seen on the other side of an edge
   std::size_t beyondCertain = 0;  // of these, the ones that are not uncertain
   double largestCertain = 0.0;    // in units of the tolerance
-  std::size_t otherBytes = 0;     // pixels that differ as bytes
+  std::size_t otherBytes = 0;     // pixels that differ as bytes, but for the ones on the other side
   int largestByte = 0;            // where that is certain
 };
 
@@ -42,10 +45,13 @@ Outcome compareClosely(const Image& image, const oracle::Result& expected) {
       largest = std::max(largest, std::abs(double{actual} - exact) / (2e-5 + 2e-5 * exact));
       byte = std::max(byte, std::abs(toByte(actual) - static_cast<int>(255.0 * exact)));
     }
+    const bool isBeyond = !(largest <= 1.0);
+    const bool isOtherwise = isBeyond && showsAlternative(image.rgb, i, pixel);
     if (pixel.uncertain) ++outcome.uncertain;
-    if (!(largest <= 1.0)) ++outcome.beyond;
-    if (!(largest <= 1.0) && !pixel.uncertain) ++outcome.beyondCertain;
-    if (byte > 0) ++outcome.otherBytes;
+    if (isBeyond) ++outcome.beyond;
+    if (isOtherwise) ++outcome.otherwise;
+    if (isBeyond && !pixel.uncertain) ++outcome.beyondCertain;
+    if (byte > 0 && !isOtherwise) ++outcome.otherBytes;
     if (pixel.uncertain) continue;
     outcome.largestCertain = std::max(outcome.largestCertain, largest);
     outcome.largestByte = std::max(outcome.largestByte, byte);
@@ -62,13 +68,19 @@ TEST_P(OracleImage, DiffersByLessThanAnyoneSees) {
   const Outcome outcome =
       compareClosely(renderScene(scene, size).image, oracle::render(scene, {.size = size}));
   const auto pixels = static_cast<double>(outcome.pixels);
-  EXPECT_LE(static_cast<double>(outcome.beyond), 1e-4 * pixels);
+  EXPECT_LE(static_cast<double>(outcome.beyond - outcome.otherwise), 1e-4 * pixels);
+  // On lavapipe, whose roots and quotients are rounded correctly, rays and edges in round numbers meet as in
+  // the oracle.
+  if (isLavapipe()) {
+    EXPECT_LE(static_cast<double>(outcome.beyond), 1e-4 * pixels);
+  }
   EXPECT_EQ(outcome.beyondCertain, 0U);
   EXPECT_LE(static_cast<double>(outcome.otherBytes), 1e-3 * pixels);
   EXPECT_LE(outcome.largestByte, 1);
   EXPECT_LT(static_cast<double>(outcome.uncertain), 0.5 * pixels);
   report(grouped(outcome.beyond) + " of " + grouped(outcome.pixels) + " pixels beyond " + "2e-5 + 2e-5 c, " +
-         grouped(outcome.beyondCertain) + " of them certain; largest where certain " +
+         grouped(outcome.otherwise) + " of them on the other side of an edge, " +
+         grouped(outcome.beyondCertain) + " certain; largest where certain " +
          shortNumber(outcome.largestCertain) + " of that; " + grouped(outcome.otherBytes) + " other bytes; " +
          grouped(outcome.uncertain) + " pixels at edges");
 }
