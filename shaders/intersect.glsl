@@ -17,7 +17,7 @@ struct Ray {
 
 // What a traversal needs of its ray, computed once.
 struct RayConstants {
-  vec3 inverse;    // of the direction; +-infinity where that is zero
+  vec3 inverse;    // of the direction; +-infinity where that is zero or denormal
   bvec3 negative;  // whether the ray enters a box through its upper side, for each axis
   uint axis;       // of the direction's largest component: the ray's own z axis
   vec3 shear;      // the direction there, scaled by a power of two so that 1 <= |shear.z| < 2
@@ -27,9 +27,13 @@ struct RayConstants {
 // Moves the components round until `axis` is z.
 vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : v.yzx); }
 
+// A device may take a denormal number for zero; here each does. And its inverse may be infinite as that of zero is, while
+// the products that a box's sides make with it are not what they make with zero.
+vec3 withoutDenormals(vec3 v) { return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kLeastNormal))); }
+
 RayConstants rayConstants(Ray ray) {
   RayConstants constants;
-  constants.inverse = 1.0 / ray.direction;
+  constants.inverse = 1.0 / withoutDenormals(ray.direction);
   constants.negative = lessThan(constants.inverse, vec3(0.0));
   const vec3 size = abs(ray.direction);
   constants.axis = size.z >= size.x && size.z >= size.y ? 2u : (size.y >= size.x ? 1u : 0u);

@@ -31,8 +31,9 @@ Ray sampleRay(uvec2 pixel, uint place, uint seed) {
   return cameraRay(position, constants.halfImage, constants.focalLength);
 }
 
-// Clamped to [0, 1]; written so that a NaN becomes 0.
-float displayed(float c) { return c > 0.0 ? min(c, 1.0) : 0.0; }
+// Clamped to [0, 1]; written so that a NaN becomes 0. So does what is so small that the denormal numbers, which some
+// devices take for zero, have changed it.
+float displayed(float c) { return c >= kLeastExact ? min(c, 1.0) : 0.0; }
 vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g), displayed(color.b)); }
 
 // The packed group that the pixel's camera rays start with.

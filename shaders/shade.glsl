@@ -12,16 +12,19 @@ float oneMinusCosine(vec3 a, vec3 b) {
   return 0.5 * preciseDot(difference, difference);
 }
 
+// A power so small that it may be a denormal number, which the brightest light must not bring back, is none.
+float withoutTraces(float power) { return power >= kLeastExact ? power : 0.0; }
+
 // cosine^shininess, with 0^0 = 1; a negative cosine counts as 0. The built-in pow is undefined for 0^0, and close to 1
 // its logarithm has too few digits for a high power: there it is the series 2 artanh(x) = ln((1 + x) / (1 - x)).
 float specularPower(float oneMinusCosine, float shininess) {
   if (shininess == 0.0) return 1.0;
   if (!(oneMinusCosine < 1.0)) return 0.0;
-  if (oneMinusCosine > 0.25) return pow(1.0 - oneMinusCosine, shininess);
+  if (oneMinusCosine > 0.25) return withoutTraces(pow(1.0 - oneMinusCosine, shininess));
   const float x = oneMinusCosine / (2.0 - oneMinusCosine);
   const float x2 = x * x;
   const float series = x * (1.0 + x2 * (1.0 / 3.0 + x2 * (1.0 / 5.0 + x2 * (1.0 / 7.0))));
-  return exp2(shininess * series * -2.8853901);  // 2 / ln 2
+  return withoutTraces(exp2(shininess * series * -2.8853901));  // 2 / ln 2
 }
 
 // What an unblocked light adds. `toLight` and `toViewer` have unit length; a light in the point itself has no

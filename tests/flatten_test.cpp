@@ -1,4 +1,5 @@
 #include "core/flatten.hpp"
+#include "core/frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -141,6 +142,48 @@ TEST(Flatten, KeepsTheNormalOfASliverAndOfAHugeTriangle) {
     EXPECT_EQ(normal, flat.primitives[i].object == 0 ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0));
     EXPECT_EQ(flat.trianglePlanes[i].distance, flat.primitives[i].object == 0 ? -1.0F : -3.0F);
   }
+}
+
+// A tiny scene is enlarged by a power of two, lights and planes with it, and a larger one stays as it is.
+TEST(Flatten, EnlargesATinyScene) {
+  Scene scene = sceneWithMaterials(3);
+  scene.camera.position = {0x1p-90, 0, 0};
+  scene.spheres = {{{0, 0, -0x1.8p-80}, 0x1p-90, 0}};
+  scene.triangles = {{{{{0, 0, -0x1p-81}, {0x1p-90, 0, -0x1p-81}, {0, 0x1p-90, -0x1p-81}}}, 1}};
+  scene.planes = {{{0, 2, 0}, {1e3, -0x1p-82, 0}, 2}};  // its point is no coordinate of what is seen
+  scene.lights = {{.position = {0, 0x1p-85, 0}, .radius = 0x1p-86}};
+  EXPECT_EQ(frameOf(scene), (Frame{{0x1p-90, 0, 0}, 0x1p80}));
+  const GpuScene flat = flatten(scene, 1);
+  const gpu::Primitive& sphere = flat.primitives[0];
+  EXPECT_EQ(sphere.a, glm::vec3(-0x1p-10F, 0.0F, -1.5F));
+  EXPECT_EQ(sphere.b.x, 0x1p-10F);
+  EXPECT_EQ(flat.primitives[1].b, glm::vec3(0.0F, 0.0F, -0.5F));
+  EXPECT_EQ(flat.trianglePlanes[1].distance, -0.5F);
+  EXPECT_EQ(flat.planes[0].distance, -0.25F);
+  EXPECT_EQ(flat.lights[0].position, glm::vec3(-0x1p-10F, 0x1p-5F, 0.0F));
+  EXPECT_EQ(flat.lights[0].radius, 0x1p-6F);
+
+  Scene other = scene;
+  other.lights[0].position.y = 1e6;  // a sun
+  EXPECT_EQ(frameOf(other).scale, 1.0);
+  EXPECT_FALSE(sameGeometry(scene, other));
+}
+
+TEST(Flatten, HoldsNoDenormalNumbers) {
+  Scene scene = sceneWithMaterials(2);
+  scene.spheres = {{{1e-39, -1e-40, -5}, 1e-41, 0}};
+  scene.lights = {{.position = {1e-39, 2, 3}, .diffuse = glm::dvec3(1e-42), .radius = 1e-44}};
+  scene.materials[0].specular =
+      glm::dvec3(0x1.fffffep-127, 0x1p-126, 1.0);  // the first one rounds to the second
+  scene.materials[1].specular = glm::dvec3(0x1p-127);
+  const GpuScene flat = flatten(scene, 1);
+  EXPECT_EQ(flat.primitives[0].a, glm::vec3(0, 0, -5));
+  EXPECT_EQ(flat.primitives[0].b.x, 0.0F);
+  EXPECT_EQ(flat.lights[0].position, glm::vec3(0, 2, 3));
+  EXPECT_EQ(flat.lights[0].diffuse, glm::vec3(0.0F));
+  EXPECT_EQ(flat.lights[0].radius, 0.0F);
+  EXPECT_EQ(flat.materials[0].specular, glm::vec3(0x1p-126F, 0x1p-126F, 1.0F));
+  EXPECT_EQ(flat.materials[1].specular, glm::vec3(0.0F));
 }
 
 TEST(Flatten, DropsAMillionDuplicatesButKeepsWhatAPixelCanShow) {

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "core/frame.hpp"
 #include "core/parallel.hpp"
 #include "core/primitives.hpp"
 #include "core/vector.hpp"
@@ -52,10 +53,9 @@ void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {
   result.hasCornerNormals = !result.cornerNormals.empty();
 }
 
-gpu::Plane flattenPlane(const Plane& plane, const glm::dvec3& origin) {
+gpu::Plane flattenPlane(const Plane& plane, const Frame& frame) {
   const glm::dvec3 normal = unitOrZero(plane.normal);
-  const double distance = glm::dot(normal, plane.point - origin);
-  return {normal, static_cast<float>(distance), plane.object, 0, 0, 0};
+  return {toFloat(normal), frame.planeDistance(normal, plane.point), plane.object, 0, 0, 0};
 }
 
 }  // namespace
@@ -72,27 +72,28 @@ GpuScene flatten(const Scene& scene, unsigned threads) {
 }
 
 bool sameGeometry(const Scene& a, const Scene& b) {
-  return a.camera.position == b.camera.position && a.spheres == b.spheres && a.triangles == b.triangles &&
+  return frameOf(a) == frameOf(b) && a.spheres == b.spheres && a.triangles == b.triangles &&
          a.meshObjects == b.meshObjects && a.meshes == b.meshes;
 }
 
 void flattenShading(const Scene& scene, GpuScene& flat) {
-  const glm::dvec3 origin = scene.camera.position;
+  const Frame frame = frameOf(scene);
   flat.planes.clear();
-  for (const Plane& plane : scene.planes) flat.planes.push_back(flattenPlane(plane, origin));
+  for (const Plane& plane : scene.planes) flat.planes.push_back(flattenPlane(plane, frame));
   flat.lights.clear();
   flat.hasSphericalLights = false;
   for (const Light& light : scene.lights) {
-    flat.lights.push_back({light.position - origin, static_cast<float>(light.radius), light.ambient, 0.0F,
-                           light.diffuse, 0.0F, light.specular, 0.0F});
+    flat.lights.push_back({frame.position(light.position), frame.length(light.radius), toFloat(light.ambient),
+                           0.0F, toFloat(light.diffuse), 0.0F, toFloat(light.specular), 0.0F});
     flat.hasSphericalLights = flat.hasSphericalLights || light.radius > 0.0;
   }
   flat.materials.clear();
   flat.materials.reserve(scene.materials.size());
   flat.hasMirrors = false;
   for (const Material& material : scene.materials) {
-    flat.materials.push_back({material.ambient, static_cast<float>(material.shininess), material.diffuse,
-                              0.0F, material.specular, 0.0F, material.reflectance, 0.0F});
+    flat.materials.push_back({toFloat(material.ambient), toFloat(material.shininess),
+                              toFloat(material.diffuse), 0.0F, toFloat(material.specular), 0.0F,
+                              toFloat(material.reflectance), 0.0F});
     flat.hasMirrors = flat.hasMirrors || glm::any(glm::greaterThanEqual(flat.materials.back().reflectance,
                                                                         glm::vec3(gpu::kMinReflectance)));
   }

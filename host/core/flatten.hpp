@@ -9,8 +9,8 @@
 
 namespace lavaray {
 
-// The scene as the shaders read it: float32, relative to the camera's position. Subtracting that in double
-// precision first gives the coordinates near the camera their full precision wherever the scene lies.
+// The scene as the shaders read it: float32, in the coordinates of its Frame. Going there in double precision
+// first gives the coordinates near the camera their full precision wherever the scene lies.
 struct GpuScene {
   std::vector<gpu::BvhNode> nodes;                 // see WideBvh; empty where there are no primitives
   std::uint32_t bvhDepth = 0;                      // of them: inner nodes on the longest path
@@ -36,7 +36,7 @@ bool hasFewPrimitives(const Scene& scene);
 // Throws Error(kInput) where the scene has more than gpu::kMaxReference primitives.
 GpuScene flatten(const Scene& scene, unsigned threads);
 
-// Whether two scenes have the same hierarchy: the same spheres and triangles, seen from the same place.
+// Whether two scenes have the same hierarchy: the same spheres and triangles, in the same frame.
 bool sameGeometry(const Scene& a, const Scene& b);
 
 // Makes `flat`, flattened from a scene of the same geometry, what flatten(scene) returns.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "core/frame.hpp"
 #include "core/place.hpp"
 #include "core/vector.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 
 class Collector {
  public:
-  Collector(const Scene& scene, std::size_t shapes) : scene_(scene) {
+  Collector(const Scene& scene, std::size_t shapes) : scene_(scene), frame_(frameOf(scene)) {
     std::size_t cornerNormals = 0;
     for (const MeshObject& mesh : scene.meshObjects) {
       const Mesh& file = scene.meshes[mesh.mesh];
@@ -47,22 +48,20 @@ class Collector {
   }
 
  private:
-  [[nodiscard]] glm::vec3 relative(const glm::dvec3& point) const { return point - scene_.camera.position; }
   [[nodiscard]] gpu::uint nextOrder() const { return static_cast<gpu::uint>(result_.shapes.size()); }
 
   void addSphere(const Sphere& sphere) {
-    const glm::vec3 radius(static_cast<float>(sphere.radius), 0.0F, 0.0F);
+    const glm::vec3 radius(frame_.length(sphere.radius), 0.0F, 0.0F);
     result_.shapes.push_back(
-        {relative(sphere.center), gpu::kSphere, radius, sphere.object, glm::vec3(0.0F), nextOrder()});
+        {frame_.position(sphere.center), gpu::kSphere, radius, sphere.object, glm::vec3(0.0F), nextOrder()});
     if (hasTriangles()) result_.planes.push_back({glm::vec3(0.0F), 0.0F});
   }
 
   void addTriangle(const std::array<glm::dvec3, 3>& v, std::uint32_t object, gpu::uint firstCornerNormal) {
     const glm::dvec3 normal = unitOrZero(glm::cross(unitOrZero(v[1] - v[0]), unitOrZero(v[2] - v[0])));
-    const double distance = glm::dot(normal, v[0] - scene_.camera.position);
-    result_.shapes.push_back(
-        {relative(v[0]), firstCornerNormal, relative(v[1]), object, relative(v[2]), nextOrder()});
-    result_.planes.push_back({normal, static_cast<float>(distance)});
+    result_.shapes.push_back({frame_.position(v[0]), firstCornerNormal, frame_.position(v[1]), object,
+                              frame_.position(v[2]), nextOrder()});
+    result_.planes.push_back({toFloat(normal), frame_.planeDistance(normal, v[0])});
   }
 
   void addMesh(const Mesh& mesh, std::uint32_t object) {
@@ -84,13 +83,15 @@ class Collector {
     for (const std::uint32_t n : triangle.normals)
       largest = std::max(largest, largestComponent(mesh.normals[n]));
     for (const std::uint32_t n : triangle.normals) {
-      result_.cornerNormals.push_back({largest > 0.0 ? mesh.normals[n] / largest : glm::dvec3(0.0), 0});
+      result_.cornerNormals.push_back(
+          {toFloat(largest > 0.0 ? mesh.normals[n] / largest : glm::dvec3(0.0)), 0});
     }
   }
 
   [[nodiscard]] bool hasTriangles() const { return !scene_.triangles.empty() || !scene_.meshObjects.empty(); }
 
   const Scene& scene_;
+  Frame frame_;
   Primitives result_;
 };
 

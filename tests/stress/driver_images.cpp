@@ -1,6 +1,7 @@
-// The images of another driver than lavapipe against lavapipe's own: both compute what Vulkan promises, no
-// more, so they may differ where rounding decides what a ray hits, and nowhere else by more than a level of a
-// channel.
+// The images of another driver than lavapipe against lavapipe's own. Sums, differences and products are the
+// same on each (host/shaderc/exact_spirv.hpp); quotients, roots, powers, sines and cosines have Vulkan's
+// tolerances. So where these decide what a ray hits, a pixel may show what is on the other side of an edge,
+// and elsewhere be off by less than a level of a channel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "gpu/render_scene.hpp"
 #include "gpu/test_device.hpp"
 #include "image/image_file.hpp"
+#include "image_compare.hpp"
 #include "oracle/oracle.hpp"
 #include "scene_files.hpp"
 #include "stress/report.hpp"
@@ -47,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(, DriverImage, testing::ValuesIn(sceneFiles()), [](cons
 struct Differences {
   std::size_t bits = 0;       // pixels with any other value
   std::size_t bytes = 0;      // pixels with another byte
-  std::size_t edges = 0;      // pixels off by more than a level where rounding may decide
+  std::size_t edges = 0;      // pixels off by more than a level where rounding may decide,
+  std::size_t otherwise = 0;  // and those of them that show what is on the other side
   std::size_t elsewhere = 0;  // pixels off by more than a level anywhere else
   double largest = 0.0;       // of all values there, in levels
 };
@@ -67,6 +70,7 @@ Differences compareImages(const Image& image, const Image& reference, const orac
     const bool isOff = byte > 1 || value > 1.0;
     if (oracle.pixels[i].uncertain) {
       if (isOff) ++differences.edges;
+      if (isOff && showsAlternative(image.rgb, i, oracle.pixels[i])) ++differences.otherwise;
     } else {
       if (isOff) ++differences.elsewhere;
       differences.largest = std::max(differences.largest, value);
@@ -90,10 +94,12 @@ TEST_P(DriverImage, DiffersFromLavapipesAtEdgesOnly) {
   const oracle::Result oracle = oracle::render(scene, {.size = settings.size});
   const Differences differences = compareImages(image, reference, oracle);
   EXPECT_EQ(differences.elsewhere, 0U);
-  EXPECT_LE(static_cast<double>(differences.edges), 1e-3 * static_cast<double>(oracle.pixels.size()));
+  const auto pixels = static_cast<double>(oracle.pixels.size());
+  EXPECT_LE(static_cast<double>(differences.edges - differences.otherwise), 1e-4 * pixels);
   report(grouped(differences.bits) + " of " + grouped(oracle.pixels.size()) + " pixels differ in bits, " +
          grouped(differences.bytes) + " in bytes, by more than a level " + grouped(differences.edges) +
-         " at edges and " + grouped(differences.elsewhere) + " elsewhere, where the largest difference is " +
+         " at edges, " + grouped(differences.otherwise) + " of which show the other side, and " +
+         grouped(differences.elsewhere) + " elsewhere, where the largest difference is " +
          shortNumber(differences.largest) + " of a level");
 }
 
