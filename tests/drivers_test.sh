@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# drivers_test.sh PROGRAMS SCENES SHARED SCRATCH DRIVERS: pictures have the same bits on every version of Mesa's software
-# driver. DRIVERS is a folder of folders that tools/unpack-debian made; their programs are compared with the one of the
-# first in order. Renders every scene as it is, and some of them in each way that has arithmetic of its own. Exits with
-# 77 (skipped) where there are fewer than two drivers.
+# drivers_test.sh PROGRAMS SCENES SHARED SCRATCH DRIVERS GPU_TESTS: pictures have the same bits on every version of Mesa's
+# software driver. DRIVERS is a folder of folders that tools/unpack-debian made; pictures are compared with those of the
+# first one in order. Renders every scene as it is, and some of them in each way that has arithmetic of its own. Then runs
+# the device tests that some version has failed, or ended with a fault of its own. Exits with 77 (skipped) where there are
+# fewer than two drivers.
 set -eu
 export LC_ALL=C.UTF-8
-programs=$(realpath "$1") scenes=$(realpath "$2") shared=$(realpath -m "$3") scratch=$4 drivers=$(realpath -m "$5")
+programs=$(realpath "$1") scenes=$(realpath "$2") shared=$(realpath -m "$3") scratch=$4 drivers=$(realpath -m "$5") gpu_tests=$(realpath "$6")
 mapfile -t runs < <(ls "$drivers"/*/run 2>/dev/null)
 if [ ${#runs[@]} -lt 2 ]; then
   echo "skipped: drivers_test.sh: needs two drivers in $drivers (tools/unpack-drivers)"
@@ -67,7 +68,12 @@ for run in "${runs[@]}"; do
       "$programs/lavaray-diff" "$name/$count.pfm" "$reference/$count.pfm" || true
     fi
   done <renders
+  if ! "$run" "$gpu_tests" --gtest_filter='*ManyLights*:Image.*:Traversal.*' >"$name/tests" 2>&1; then
+    failures=$((failures + 1))
+    echo "FAILED: $name: device tests"
+    tail -n 20 "$name/tests"
+  fi
   reference=${reference:-$name}
 done
-echo "figure: drivers: $count pictures on each of ${#runs[@]} drivers, $failures that differ in a bit"
+echo "figure: drivers: $count pictures on each of ${#runs[@]} drivers, $failures failures"
 [ "$failures" -eq 0 ]
