@@ -5,18 +5,29 @@
 #include "app/report.hpp"
 #include "app/session.hpp"
 #include "core/scene_reader.hpp"
+#include "vulkan/driver_survey.hpp"
 
 namespace lavaray {
 namespace {
 
+void listDevices(const Options& options) {
+  // Before the drivers are loaded here: one may end the program.
+  if (options.verbose) {
+    for (const std::string& line : vulkan::surveyDrivers().lines(true)) std::cerr << line << '\n';
+  }
+  vulkan::Instance instance(options.validate);
+  printWarnings(std::cerr, instance.takeWarnings());
+  printDevices(std::cerr, vulkan::listDevices(instance));
+}
+
 ExitCode run(const Options& options) {
   if (options.listDevices) {
-    printDevices(std::cerr, vulkan::listDevices(vulkan::Instance(options.validate)));
+    listDevices(options);
     return ExitCode::kSuccess;
   }
   if (options.check) {
     const Scene scene = readScene(options.scene);
-    for (const std::string& warning : scene.warnings) std::cerr << "warning: " << warning << '\n';
+    printWarnings(std::cerr, scene.warnings);
     printScene(std::cerr, scene);
     return ExitCode::kSuccess;
   }

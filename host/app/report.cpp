@@ -49,6 +49,10 @@ std::string StepTimes::inOneLine() const {
   return text.str();
 }
 
+void printWarnings(std::ostream& out, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) out << "warning: " << warning << '\n';
+}
+
 void printScene(std::ostream& out, const Scene& scene) {
   const ImageSize size = imageSize(scene.camera).value();
   out << "scene " << scene.file.string() << "\n  image           " << size.width << " x " << size.height

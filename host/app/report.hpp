@@ -32,6 +32,8 @@ class StepTimes {
   std::vector<Step> steps_;
 };
 
+void printWarnings(std::ostream& out, const std::vector<std::string>& warnings);
+
 // What is in the scene: --check.
 void printScene(std::ostream& out, const Scene& scene);
 

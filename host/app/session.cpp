@@ -86,7 +86,7 @@ ExitCode Session::renderOnce() {
 
 void Session::printWarnings() {
   progress_.end();
-  for (const std::string& warning : inputs_.takeWarnings()) std::cerr << "warning: " << warning << '\n';
+  lavaray::printWarnings(std::cerr, inputs_.takeWarnings());
 }
 
 ExitCode Session::renderAndWrite() {
@@ -103,9 +103,10 @@ ExitCode Session::renderAndWrite() {
   times_.endStep("build");
   progress_.begin("opening the device");
   OpenDevice& open = device_.get();
-  if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
   times_.endStep("wait for device");
   progress_.end();
+  lavaray::printWarnings(std::cerr, open.instance.takeWarnings());
+  if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
   if (wasInterrupted()) throw Error(ExitCode::kInterrupted, "interrupted before anything was rendered");
   if (options_.display) openWindow(size);
 

@@ -4,14 +4,6 @@
 
 namespace lavaray {
 
-std::string printable(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
-  return result;
-}
-
 std::string messageAt(const Place& place, std::string_view message) {
   return printable(place.file.native()) + ":" + std::to_string(place.line) + ": " + std::string(message);
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/printable.hpp"
+
 namespace lavaray {
 
 // A line of an input file, counted from 1. Refers to the path, which must outlive it.
@@ -12,9 +14,6 @@ struct Place {
   const std::filesystem::path& file;
   std::size_t line;
 };
-
-// Text of a user's in one line that a terminal prints as it is: control characters are replaced.
-std::string printable(std::string_view text);
 
 // `file:line: message`, the form of all complaints about input.
 std::string messageAt(const Place& place, std::string_view message);

@@ -8,20 +8,27 @@
 #include <span>
 
 #include "core/errors.hpp"
+#include "vulkan/driver_survey.hpp"
+#include "vulkan/loader_environment.hpp"
+#include "vulkan/no_device.hpp"
 
 namespace lavaray::vulkan {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-bool hasValidationLayer() {
+VkResult findValidationLayer() {
   std::uint32_t count = 0;
-  check(vkEnumerateInstanceLayerProperties(&count, nullptr), "list the Vulkan layers");
+  VkResult result = vkEnumerateInstanceLayerProperties(&count, nullptr);
+  if (result != VK_SUCCESS) return result;
   std::vector<VkLayerProperties> layers(count);
-  check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "list the Vulkan layers");
-  return std::any_of(layers.begin(), layers.end(), [](const VkLayerProperties& layer) {
+  result = vkEnumerateInstanceLayerProperties(&count, layers.data());
+  if (result != VK_SUCCESS) return result;
+  const bool isThere = std::any_of(layers.begin(), layers.end(), [](const VkLayerProperties& layer) {
     return std::strcmp(layer.layerName, kValidationLayer) == 0;
   });
+  if (isThere) return VK_SUCCESS;
+  throw Error(ExitCode::kDevice, "there is no Vulkan validation layer; install vulkan-validationlayers");
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT /*severity*/,
@@ -122,8 +129,40 @@ std::vector<DeviceDescription> matching(std::span<const DeviceDescription> devic
 
 Instance::Instance(bool validate) {
   loadGlobalFunctions();
-  if (validate && !hasValidationLayer()) {
-    throw Error(ExitCode::kDevice, "there is no Vulkan validation layer; install vulkan-validationlayers");
+  VkResult result = open(validate);
+  if (result == VK_SUCCESS) return;
+  const DriverSurvey survey = surveyDrivers();
+  if (survey.canDoWithout()) {
+    {
+      const LoaderEnvironment sound(survey);
+      result = open(validate);
+    }
+    if (result == VK_SUCCESS) {
+      for (const std::string& line : survey.lines(false)) warnings_.push_back(line + "; it is left out");
+      return;
+    }
+  }
+  throw Error(ExitCode::kDevice, explainNoDevice(survey, result));
+}
+
+Instance::~Instance() {
+  close();
+}
+
+// Anything but VK_SUCCESS: there is no device, and no instance either.
+VkResult Instance::open(bool validate) {
+  VkResult result = create(validate);
+  if (result != VK_SUCCESS) return result;
+  std::uint32_t count = 0;
+  result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+  if (result == VK_SUCCESS && count > 0) return VK_SUCCESS;
+  close();
+  return result == VK_SUCCESS ? VK_ERROR_INITIALIZATION_FAILED : result;
+}
+
+VkResult Instance::create(bool validate) {
+  if (validate) {
+    if (const VkResult result = findValidationLayer(); result != VK_SUCCESS) return result;
   }
   VkApplicationInfo application{};
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
@@ -151,20 +190,20 @@ Instance::Instance(bool validate) {
     info.ppEnabledExtensionNames = &extension;
   }
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
-    throw Error(ExitCode::kDevice, "there is no Vulkan driver; install mesa-vulkan-drivers");
-  }
-  check(result, "start Vulkan");
+  if (result != VK_SUCCESS) return result;
   loadInstanceFunctions(instance_);
   if (validate) createMessenger(messenger);
+  return VK_SUCCESS;
 }
 
-Instance::~Instance() {
+void Instance::close() {
   if (messenger_ != VK_NULL_HANDLE) {
     reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"))(instance_, messenger_, nullptr);
   }
   if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+  messenger_ = VK_NULL_HANDLE;
+  instance_ = VK_NULL_HANDLE;
 }
 
 void Instance::createMessenger(const VkDebugUtilsMessengerCreateInfoEXT& info) {
@@ -199,10 +238,7 @@ DeviceDescription chooseDevice(const Instance& instance, const std::string& choi
     if (device.usable && (!best || device.rank < best->rank)) best = device;
   }
   if (!best) {
-    throw Error(ExitCode::kDevice,
-                "there is no Vulkan 1.2 device; install mesa-vulkan-drivers, which renders on "
-                "the CPU" +
-                    (devices.empty() ? "" : "; there are:" + listing(devices)));
+    throw Error(ExitCode::kDevice, explainUnusableDevices(surveyDrivers(), listing(devices)));
   }
   return *best;
 }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vulkan/loader.hpp"
@@ -12,7 +13,8 @@ namespace lavaray::vulkan {
 // are counted.
 class Instance {
  public:
-  // Throws Error(kDevice) where there is no loader, no driver, or no validation layer though it is asked for.
+  // Throws Error(kDevice), saying why, where there is no loader, no device, or no validation layer though it
+  // is asked for. Where some driver works and a broken manifest keeps the loader from it, uses it and warns.
   explicit Instance(bool validate);
   ~Instance();
   Instance(const Instance&) = delete;
@@ -20,11 +22,16 @@ class Instance {
 
   [[nodiscard]] VkInstance get() const { return instance_; }
   [[nodiscard]] int validationMessages() const { return validationMessages_; }
+  std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
+  VkResult open(bool validate);
+  VkResult create(bool validate);
+  void close();
   void createMessenger(const VkDebugUtilsMessengerCreateInfoEXT& info);
 
   std::atomic<int> validationMessages_{0};
+  std::vector<std::string> warnings_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };

@@ -93,9 +93,12 @@ void loadInstanceFunctions(VkInstance instance) {
 #undef LAVARAY_FETCH
 }
 
+std::string failureOf(VkResult result, const std::string& action) {
+  return "cannot " + action + ": " + meaning(result);
+}
+
 void check(VkResult result, const std::string& action) {
-  if (result == VK_SUCCESS) return;
-  throw Error(ExitCode::kDevice, "cannot " + action + ": " + meaning(result));
+  if (result != VK_SUCCESS) throw Error(ExitCode::kDevice, failureOf(result, action));
 }
 
 }  // namespace lavaray::vulkan

@@ -44,8 +44,10 @@ void loadGlobalFunctions();
 // Fetches the other functions. The program has one instance at a time.
 void loadInstanceFunctions(VkInstance instance);
 
-// Throws Error(kDevice) `cannot <action>: <what the result means, and what may help>` unless `result` is
-// VK_SUCCESS. The action is in a user's words.
+// `cannot <action>: <what the result means, and what may help>`. The action is in a user's words.
+std::string failureOf(VkResult result, const std::string& action);
+
+// Throws Error(kDevice) with that unless `result` is VK_SUCCESS.
 void check(VkResult result, const std::string& action);
 
 }  // namespace lavaray::vulkan
