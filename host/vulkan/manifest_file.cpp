@@ -34,9 +34,11 @@ std::optional<std::string> readText(const std::string& file, std::string& proble
 
 // Where and how a text fails to be JSON; `offset` counts the characters to the one that cannot stand there.
 std::string syntaxProblem(const std::string& text, std::size_t offset) {
-  const std::string until = text.substr(0, offset == 0 ? 0 : offset - 1);
+  std::string until = text.substr(0, offset == 0 ? 0 : offset - 1);
+  const bool isCutOff = offset > text.size();
+  if (isCutOff) until.resize(until.find_last_not_of(" \t\r\n") + 1);
   const std::string line = "line " + std::to_string(1 + std::count(until.begin(), until.end(), '\n'));
-  if (offset > text.size()) return ", which is no manifest: it is cut off in " + line;
+  if (isCutOff) return ", which is no manifest: it is cut off in " + line;
   const std::size_t before = until.find_last_not_of(" \t\r\n");
   const char unexpected = text[until.size()];
   if (before != std::string::npos && until[before] == ',' && (unexpected == '}' || unexpected == ']')) {

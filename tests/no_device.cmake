@@ -1,0 +1,30 @@
+# Why there is no device: the messages, with small drivers that fail in every way, loaded by the real Vulkan loader.
+# Loaders answer differently (Debian 12's gives up over any manifest that is no JSON), so there may be others than this
+# machine's: `tools/unpack-debian trixie FOLDER libvulkan1` makes the folder of one.
+set(LAVARAY_LOADERS "" CACHE STRING "Folders of further Vulkan loaders to test messages with, made by tools/unpack-debian")
+
+find_package(VulkanHeaders REQUIRED)
+add_library(faulty_driver MODULE faulty_driver.cpp)
+add_library(needed_by_driver SHARED needed_by_driver.cpp)
+add_library(needy_driver MODULE needy_driver.cpp)
+target_link_libraries(faulty_driver PRIVATE lavaray_options Vulkan::Headers ${CMAKE_DL_LIBS})
+target_link_libraries(needed_by_driver PRIVATE lavaray_options)
+target_link_libraries(needy_driver PRIVATE lavaray_options needed_by_driver)
+# The test loads copies of them, far from what they need.
+set_target_properties(faulty_driver needed_by_driver needy_driver PROPERTIES SKIP_BUILD_RPATH ON
+                      LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/drivers)
+
+set(no_device_test ${CMAKE_CURRENT_SOURCE_DIR}/no_device_test.py ${programs} ${PROJECT_SOURCE_DIR}/scenes
+                   $<TARGET_FILE:faulty_driver> $<TARGET_FILE:needy_driver> $<TARGET_FILE:needed_by_driver>)
+add_test(NAME no-device COMMAND ${no_device_test} ${CMAKE_CURRENT_BINARY_DIR}/no-device)
+list(APPEND program_tests no-device)
+if(NOT LAVARAY_LOADERS)
+  # For ctest to name it among the tests that did not run.
+  add_test(NAME no-device-other-loaders COMMAND ${CMAKE_COMMAND} -E false)
+  set_tests_properties(no-device-other-loaders PROPERTIES DISABLED TRUE)
+endif()
+foreach(folder ${LAVARAY_LOADERS})
+  get_filename_component(name ${folder} NAME)
+  add_test(NAME no-device-${name} COMMAND ${no_device_test} ${CMAKE_CURRENT_BINARY_DIR}/no-device-${name} ${folder})
+  list(APPEND program_tests no-device-${name})
+endforeach()
