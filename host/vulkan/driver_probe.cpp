@@ -91,16 +91,12 @@ DriverAnswer ask(const std::string& library) {
   if (handle == nullptr) return faulty(problem, library);
   const std::string driver = ", whose driver " + inQuotes(library);
   const PFN_vkGetInstanceProcAddr get = entryPoint(handle);
-  if (get == nullptr) {
-    return faulty(", whose library " + inQuotes(library) + " has no entry point for Vulkan: it is no driver",
-                  library);
-  }
+  const std::string noDriver =
+      ", whose library " + inQuotes(library) + " has no entry point for Vulkan: it is no driver";
+  if (get == nullptr) return faulty(noDriver, library);
   if (!agrees(handle, get)) return faulty(driver + " does not come to terms with the Vulkan loader", library);
   const auto create = function<PFN_vkCreateInstance>(get, VK_NULL_HANDLE, "vkCreateInstance");
-  if (create == nullptr) {
-    return faulty(", whose library " + inQuotes(library) + " lacks entry points for Vulkan: it is no driver",
-                  library);
-  }
+  if (create == nullptr) return faulty(noDriver, library);
   VkInstance instance = VK_NULL_HANDLE;
   VkResult result = createInstance(get, create, instance);
   if (result != VK_SUCCESS) return faulty(driver + " does not start: it says " + reason(result), library);
