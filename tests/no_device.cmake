@@ -1,7 +1,7 @@
 # Why there is no device: the messages, with small drivers that fail in every way, loaded by the real Vulkan loader.
 # Loaders answer differently (Debian 12's gives up over any manifest that is no JSON), so there may be others than this
 # machine's: `tools/unpack-debian trixie FOLDER libvulkan1` makes the folder of one.
-set(LAVARAY_LOADERS "" CACHE STRING "Folders of further Vulkan loaders to test messages with, made by tools/unpack-debian")
+set(LAVARAY_LOADERS "" CACHE STRING "Folders of further Vulkan loaders, made by tools/unpack-debian")
 
 find_package(VulkanHeaders REQUIRED)
 add_library(faulty_driver MODULE faulty_driver.cpp)

@@ -214,7 +214,8 @@ def test_variables(bench):
     for name, value in (('SELECT', '*ART.json'), ('SELECT', 'x,*tar*'), ('DISABLE', 'tart*')):
         expect(bench, {'VK_DRIVER_FILES': start, f'VK_LOADER_DRIVERS_{name}': value}, 'does not start')
     # Several: a line for each.
-    found = expect(bench, {'VK_DRIVER_FILES': f'{start}:/no/such.json'}, f'\n  "VK_DRIVER_FILES" names "{start}", whose')
+    found = expect(bench, {'VK_DRIVER_FILES': f'{start}:/no/such.json'},
+                   f'\n  "VK_DRIVER_FILES" names "{start}", whose')
     check('\n  "VK_DRIVER_FILES" names "/no/such.json", which is not there\n' in found.stderr, 'several', found)
     found = bench.run(['--list-devices'], {})
     if not list(pathlib.Path('/etc/vulkan/icd.d').glob('*.json')):
@@ -239,7 +240,8 @@ def test_drivers(bench):
     found = bench.run([scene], old)
     check(found.returncode == 4 and 'no device has what is needed, Vulkan 1.2 and a compute queue; there are:\n  0: '
           'Old Device (not usable)\n' in found.stderr, 'an old device', found)
-    check('"VK_DRIVER_FILES" names "/no/such.json", which is not there\n' in found.stderr, 'beside an old device', found)
+    check('"VK_DRIVER_FILES" names "/no/such.json", which is not there\n' in found.stderr, 'beside an old device',
+          found)
     found = bench.run(['--list-devices', '-v'], {'VK_DRIVER_FILES': bench.work / 'crash.json'})
     check(f'whose driver "{bench.work}/crash.so" ends the program that loads it: Aborted\n' in found.stderr,
           'a driver that ends the program', found)
@@ -277,6 +279,26 @@ def test_layers(bench, good):
                   f'a broken layer by {variable}', found)
 
 
+    # A layer that is asked for is found beside a broken one; that another is missing changes nothing.
+    folders = f'/usr/share/vulkan/explicit_layer.d:{folder}'
+    if pathlib.Path('/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json').exists():
+        found = bench.run(['--list-devices', '--validate'], {'VK_LAYER_PATH': folders, 'VK_DRIVER_FILES': good})
+        check(found.returncode == 0 and ('warning: ' in found.stderr) == is_old,
+              '--validate beside a broken layer', found)
+    found = bench.run(['--list-devices'], {'VK_INSTANCE_LAYERS': 'VK_LAYER_no_such', 'VK_DRIVER_FILES': good})
+    check(found.returncode == 0 and 'warning: ' not in found.stderr, 'a missing layer', found)
+
+
+def test_mark(bench, good):
+    """A byte-order mark is a fault to some loaders only."""
+    marked = bench.work / 'marked.json'
+    marked.write_bytes(MARK + good.read_bytes())
+    found = bench.run(['--list-devices', '-v'], {'VK_DRIVER_FILES': marked})
+    works = bench.version >= (1, 4, 303)
+    check(found.returncode == (0 if works else 4), 'a mark', found)
+    check(('" has a device\n' if works else 'byte-order mark') in found.stderr, 'a mark, -v', found)
+
+
 def test_picture(bench, scenes, good):
     """A picture is the same whatever stands beside the driver."""
     broken = bench.work / 'broken.json'
@@ -303,6 +325,7 @@ def main():
         print('there is no software driver of Mesa: nothing is tested beside a driver that works')
     else:
         test_layers(bench, good)
+        test_mark(bench, good)
         test_picture(bench, scenes, good)
     print(f'loader {".".join(map(str, bench.version))}: {checks} checks, {failures} failed')
     sys.exit(1 if failures else 0)
