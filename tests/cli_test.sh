@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The command line as a user meets it: exit codes, messages, files. Called with the folder of the programs, the
-# folder of the scenes and a scratch folder, which it makes anew.
+# folder of the scenes and a scratch folder, which it makes anew. What depends on the driver is tried on a second one,
+# too, where LAVARAY_TEST_DRIVER_RUN names the script `run` that tools/unpack-debian makes of one.
 set -u
 programs=$1 scenes=$2 scratch=$3
 lavaray=$programs/lavaray
@@ -9,17 +10,17 @@ rm -rf "$scratch" && mkdir -p "$scratch" && cd "$scratch" || exit 1
 failures=0
 checks=0
 
-# expect CODE TEXT COMMAND...: the command exits with CODE and prints TEXT, an extended regular expression, to
-# stderr; an empty TEXT matches anything.
+# expect CODES TEXT COMMAND...: the command exits with one of CODES, separated by |, and prints TEXT, an extended
+# regular expression, to stderr; an empty TEXT matches anything.
 expect() {
-  local code=$1 text=$2
+  local codes=$1 text=$2
   shift 2
   "$@" >stdout 2>stderr
   local actual=$?
   checks=$((checks + 1))
-  if [ "$actual" -ne "$code" ] || { [ -n "$text" ] && ! grep -qE -- "$text" stderr; }; then
+  if ! [[ "$actual" =~ ^($codes)$ ]] || { [ -n "$text" ] && ! grep -qE -- "$text" stderr; }; then
     failures=$((failures + 1))
-    echo "FAILED: $*: exit code $actual, expected $code; stderr, expected /$text/:"
+    echo "FAILED: $*: exit code $actual, expected $codes; stderr, expected /$text/:"
     cat stderr
   fi
 }
@@ -76,9 +77,17 @@ holds 'a device error leaves the output alone' grep -qx 'precious' kept.bmp
 expect 5 'cannot be written' "$lavaray" "$scene" -o no-such-folder/picture.bmp
 mkdir folder.bmp
 expect 5 'not an ordinary file' "$lavaray" "$scene" -o folder.bmp
-# One block of 512 or 1024 bytes is too little for the picture.
-expect 5 'kept\.bmp: cannot be written' bash -c "ulimit -f 1; '$lavaray' '$scene' $small -o kept.bmp"
-expect 5 'kept\.png: cannot be written' bash -c "ulimit -f 1; '$lavaray' '$scene' -o kept.png"
+# One block of 1024 bytes is too little for the picture; and for a driver that keeps its memory in a file, which Mesa 22
+# does not.
+for run in '' ${LAVARAY_TEST_DRIVER_RUN:-}; do
+  $run "$lavaray" --list-devices 2>devices
+  limited='5|6'
+  grep -q 'Mesa 22' devices && limited=5
+  for file in kept.bmp kept.png; do
+    expect "$limited" "($file: cannot be written|the driver keeps its memory in a file, .* 1024 bytes)" \
+      bash -c "ulimit -c 0; ulimit -f 1; exec $run '$lavaray' '$scene' $small -o $file"
+  done
+done
 holds 'a write error leaves the output alone' grep -qx 'precious' kept.bmp
 holds 'no temporary file is left' test -z "$(find . -name '.*.??????')"
 

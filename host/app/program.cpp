@@ -1,12 +1,13 @@
 #include "app/program.hpp"
 
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <system_error>
+
+#include "app/file_size_limit.hpp"
 
 namespace lavaray {
 namespace {
@@ -21,7 +22,7 @@ std::string programName;
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
     std::fputs((programName + kNoMemory).c_str(), stderr);
-    std::_Exit(static_cast<int>(ExitCode::kInternalError));
+    std::_Exit(static_cast<int>(ExitCode::kMemory));
   } catch (...) {
   }
   std::abort();
@@ -32,7 +33,7 @@ std::string programName;
 int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
   programName = name;
   std::set_terminate(onTerminate);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit shall be a write error, not the end
+  surviveFileSizeLimit(name);
   try {
     return static_cast<int>(body());
   } catch (const Error& error) {
@@ -40,7 +41,7 @@ int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
     return static_cast<int>(error.exitCode());
   } catch (const std::bad_alloc&) {
     std::cerr << name << kNoMemory;
-    return static_cast<int>(ExitCode::kInternalError);
+    return static_cast<int>(ExitCode::kMemory);
   } catch (const std::system_error& error) {
     std::cerr << name << ": the system refuses what is needed: " << error.code().message() << '\n';
     return static_cast<int>(ExitCode::kInternalError);

@@ -13,6 +13,7 @@ enum class ExitCode : int {
   kInput = 3,  // the scene or a mesh
   kDevice = 4,
   kOutput = 5,
+  kMemory = 6,
   kImagesDiffer = 10,
   kInterrupted = 130,
 };

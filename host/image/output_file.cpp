@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -28,6 +30,18 @@ mode_t ordinaryMode() {
   return 0666 & ~mask;
 }
 
+// Names of the files that are being written, where a signal handler can read them; more than a program ever
+// writes at a time.
+std::array<std::atomic<const char*>, 16> temporaries{};
+static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler may read it");
+
+void replaceTemporary(const char* before, const char* after) {
+  for (std::atomic<const char*>& temporary : temporaries) {
+    const char* expected = before;
+    if (temporary.compare_exchange_strong(expected, after)) return;
+  }
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& path) : path_(path) {
@@ -48,12 +62,13 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
     temporary_.clear();
     fail(path, std::strerror(errno));
   }
+  replaceTemporary(nullptr, temporary_.c_str());
   fchmod(descriptor, exists ? old.st_mode & 07777 : ordinaryMode());
   stream_ = fdopen(descriptor, "wb");
   if (stream_ == nullptr) {
     const int reason = errno;
     close(descriptor);
-    unlink(temporary_.c_str());
+    removeTemporary();
     fail(path, std::strerror(reason));
   }
   // One thread writes, and CImg byte by byte: locking the stream for each of them takes most of the time.
@@ -62,7 +77,17 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
 
 OutputFile::~OutputFile() {
   if (stream_ != nullptr) std::fclose(stream_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+  if (!temporary_.empty()) removeTemporary();
+}
+
+void OutputFile::removeTemporary() {
+  unlink(temporary_.c_str());
+  forgetTemporary();
+}
+
+void OutputFile::forgetTemporary() {
+  replaceTemporary(temporary_.c_str(), nullptr);
+  temporary_.clear();
 }
 
 void OutputFile::commit() {
@@ -73,7 +98,13 @@ void OutputFile::commit() {
     fail(path_, errno != 0 ? std::strerror(errno)
                            : "a write failed; is there room, and are files of this size allowed?");
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, std::strerror(errno));
-  temporary_.clear();
+  forgetTemporary();
+}
+
+void removeTemporaryFiles() {
+  for (const std::atomic<const char*>& temporary : temporaries) {
+    if (const char* name = temporary) unlink(name);
+  }
 }
 
 }  // namespace lavaray

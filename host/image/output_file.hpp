@@ -21,9 +21,15 @@ class OutputFile {
   void commit();
 
  private:
+  void removeTemporary();
+  void forgetTemporary();
+
   std::filesystem::path path_;
   std::string temporary_;
   std::FILE* stream_ = nullptr;
 };
+
+// Removes what all OutputFiles have written so far. For a signal handler that ends the process.
+void removeTemporaryFiles();
 
 }  // namespace lavaray
