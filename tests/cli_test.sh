@@ -102,6 +102,19 @@ expect 10 '' "$diff" picture.pfm picture.bmp
 "$lavaray" "$scene" $small -o - >piped.ppm 2>stderr
 holds '-o - writes the same PPM to stdout' cmp piped.ppm picture.ppm
 holds 'nothing else is printed' test ! -s stderr
+# Closed streams: no other file takes their place, be it the picture or a driver's memory.
+for run in '' ${LAVARAY_TEST_DRIVER_RUN:-}; do
+  expect 5 'stdout, which is closed' bash -c "exec $run '$lavaray' '$scene' $small -o - >&-"
+  for closed in '2>&-' '>&-' '<&-' '<&- >&- 2>&-'; do
+    expect 0 '' bash -c "exec $run '$lavaray' -v --stats '$scene' $small -o closed.ppm $closed"
+    holds "with $closed the picture is the same" cmp closed.ppm picture.ppm
+  done
+done
+for program in "$lavaray" "$diff" "$programs/lavaray-merge"; do
+  expect 5 'stdout' bash -c "'$program' --help >&-"
+  expect 5 'stdout' bash -c "'$program' --version >/dev/full"
+done
+expect 5 'stdout' bash -c "'$diff' picture.png picture.bmp >&-"
 expect 0 '' "$lavaray" -q "$scene" $small -o quiet.png
 holds '-q prints nothing' test ! -s stderr
 expect 0 'device: ' "$lavaray" -v "$scene" $small -o verbose.png

@@ -146,6 +146,7 @@ for format in png bmp ppm pfm; do
 done
 fails 5 bash -c "'$lavaray' '$scene' -o - >/dev/full"
 fails 5 bash -c "'$lavaray' '$scene' -o - >&-"
+fails 5 bash -c "'$diff' good.png good.png >&-"
 
 # Devices
 no_driver='env VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null'

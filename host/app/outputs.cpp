@@ -1,11 +1,28 @@
 #include "app/outputs.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "core/errors.hpp"
 
 namespace lavaray {
+namespace {
+
+// A stream that was closed when the program began is open for reading only (program.cpp).
+bool isStdoutWritable() {
+  const int flags = fcntl(STDOUT_FILENO, F_GETFL);
+  return flags != -1 && (flags & O_ACCMODE) != O_RDONLY;
+}
+
+}  // namespace
 
 Outputs::Outputs(const Options& options) : hasFilm_(writesFilm(options)) {
-  if (options.output != "-") output_.emplace(options.output);
+  if (options.output != "-") {
+    output_.emplace(options.output);
+  } else if (!isStdoutWritable()) {
+    throw Error(ExitCode::kOutput,
+                "the image cannot be written to stdout, which is closed or open for reading only");
+  }
   if (output_ && !hasFilm_) format_ = imageFormat(options.output).value();
   if (!options.json.empty()) json_.emplace(options.json);
 }

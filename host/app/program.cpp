@@ -1,5 +1,9 @@
 #include "app/program.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -28,14 +32,32 @@ std::string programName;
   std::abort();
 }
 
+// What is opened later must not become a standard stream: the picture would be written into a driver's
+// memory, or messages into the picture. Opened the wrong way round, so that using a closed stream stays an
+// error.
+void occupyStandardStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool isClosed = fcntl(stream, F_GETFD) == -1 && errno == EBADF;
+    if (isClosed) (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+// A stream remembers that a write has failed; whoever printed did not look.
+ExitCode checkPrinted(ExitCode code) {
+  if (std::cout.flush()) return code;
+  throw Error(ExitCode::kOutput,
+              "what there is to print cannot be written to stdout: is it open, is there room?");
+}
+
 }  // namespace
 
 int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
   programName = name;
+  occupyStandardStreams();
   std::set_terminate(onTerminate);
   surviveFileSizeLimit(name);
   try {
-    return static_cast<int>(body());
+    return static_cast<int>(checkPrinted(body()));
   } catch (const Error& error) {
     std::cerr << name << ": " << error.what() << '\n';
     return static_cast<int>(error.exitCode());
