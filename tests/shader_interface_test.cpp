@@ -1,9 +1,13 @@
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include <spirv-tools/libspirv.hpp>
+
 #include "interface.h"
 #include "shader_folder.hpp"
+#include "shaderc/shader_interface.hpp"
 
 namespace lavaray {
 namespace {
@@ -131,6 +135,41 @@ TEST(ShaderInterface, WhatIsNotUsedMayDiffer) {
       "render.comp", "layout(local_size_x",
       "layout(std430, set = 3, binding = 99) buffer Unused { uint unused[]; };\nlayout(local_size_x");
   EXPECT_EQ(folder.error(), "");
+}
+
+// A module whose push constants are so many vectors of 16 bytes.
+std::vector<std::uint32_t> moduleWithPushConstants(int count) {
+  std::string members;
+  std::string offsets;
+  for (int i = 0; i < count; ++i) {
+    members += " %vector";
+    offsets +=
+        "OpMemberDecorate %Constants " + std::to_string(i) + " Offset " + std::to_string(16 * i) + "\n";
+  }
+  const std::string text =
+      "OpCapability Shader\nOpMemoryModel Logical GLSL450\n"
+      "OpEntryPoint GLCompute %main \"main\" %constants\nOpExecutionMode %main LocalSize 64 1 1\n"
+      "OpName %Constants \"Constants\"\nOpDecorate %Constants Block\n" +
+      offsets +
+      "%void = OpTypeVoid\n%function = OpTypeFunction %void\n%float = OpTypeFloat 32\n"
+      "%vector = OpTypeVector %float 4\n%Constants = OpTypeStruct" +
+      members +
+      "\n%pointer = OpTypePointer PushConstant %Constants\n%constants = OpVariable %pointer PushConstant\n"
+      "%main = OpFunction %void None %function\n%begin = OpLabel\n%all = OpLoad %Constants %constants\n"
+      "OpReturn\nOpFunctionEnd\n";
+  const spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+  std::vector<std::uint32_t> spirv;
+  EXPECT_TRUE(tools.Assemble(text, &spirv));
+  EXPECT_TRUE(tools.Validate(spirv));
+  return spirv;
+}
+
+// As spirv-opt of 2026 does with members that are not used.
+TEST(ShaderInterface, MembersThatTheOptimizerTakesOutCount) {
+  const std::vector<Misfit> misfits = findMisfits(moduleWithPushConstants(5), moduleWithPushConstants(4));
+  ASSERT_EQ(misfits.size(), 1U);
+  EXPECT_EQ(misfits[0].message, "`Constants` has 80 bytes of push constants, the program's have 64");
+  EXPECT_TRUE(findMisfits(moduleWithPushConstants(4), moduleWithPushConstants(1)).empty());
 }
 
 TEST(ShaderInterface, FewerPushConstantsFit) {

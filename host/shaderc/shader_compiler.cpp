@@ -112,7 +112,7 @@ class Compilation {
   }
   std::string log() { return std::string(shader_.getInfoLog()) + "\n" + program_.getInfoLog(); }
 
-  // As glslangValidator does without options.
+  // What the shader says word for word, as glslangValidator does without options.
   std::vector<std::uint32_t> generate() {
     glslang::SpvOptions options;
     options.disableOptimizer = true;
@@ -226,11 +226,12 @@ CompiledShader compileRenderShader(const std::filesystem::path& directory, bool 
   if (!isLinked) complaints.add(complaints.placed({}, "does not compile, and the compiler gives no reason"));
   complaints.throwIfAny();
 
-  std::vector<std::uint32_t> spirv = finishShader(compilation.generate());
+  const std::vector<std::uint32_t> written = compilation.generate();
+  std::vector<std::uint32_t> spirv = finishShader(written);
   if (const std::string reason = validate(spirv); !reason.empty())
     complaints.add(complaints.placed({}, "the compiler makes SPIR-V of it that is not valid: " + reason));
   complaints.throwIfAny();
-  for (const Misfit& misfit : findMisfits(spirv)) complaints.add(misfit);
+  for (const Misfit& misfit : findMisfits(written, spirv)) complaints.add(misfit);
   complaints.throwIfAny();
   return {std::move(spirv), sources.files(), std::move(warnings)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include <glslang/SPIRV/doc.h>
 
@@ -31,13 +32,16 @@ constexpr std::array kCapabilities{
 
 class Comparison {
  public:
-  explicit Comparison(std::span<const std::uint32_t> spirv) : module_(readSpirv(spirv)) {}
+  Comparison(std::span<const std::uint32_t> written, std::span<const std::uint32_t> optimized)
+      : module_(readSpirv(written)), optimized_(readSpirv(optimized)) {}
 
   std::vector<Misfit> run() {
     compareLocalSize();
-    for (const auto& [id, variable] : module_.variables) compareVariable(id, variable);
+    for (const auto& [id, variable] : module_.variables) {
+      if (isLeft(id, variable)) compareVariable(id, variable);
+    }
     for (const auto& [id, constant] : module_.constants) compareConstant(id, constant);
-    for (const spv::Capability capability : module_.capabilities) {
+    for (const spv::Capability capability : optimized_.capabilities) {
       if (std::ranges::find(kCapabilities, capability) == kCapabilities.end())
         misfits_.push_back({{},
                             "the shader needs the SPIR-V capability " +
@@ -48,6 +52,22 @@ class Comparison {
   }
 
  private:
+  // Where a variable is bound; the numbers by which a module refers to it are its own.
+  static auto place(const SpirvModule& module, std::uint32_t id, const SpirvInstruction& variable) {
+    return std::tuple{variable.operands[2], module.decoration(id, spv::DecorationDescriptorSet),
+                      module.decoration(id, spv::DecorationBinding)};
+  }
+  [[nodiscard]] bool isLeft(std::uint32_t id, const SpirvInstruction& variable) const {
+    return std::ranges::any_of(optimized_.variables, [&](const auto& other) {
+      return place(optimized_, other.first, other.second) == place(module_, id, variable);
+    });
+  }
+  [[nodiscard]] bool isSpecializationLeft(std::uint32_t number) const {
+    return std::ranges::any_of(optimized_.constants, [&](const auto& constant) {
+      return optimized_.decoration(constant.first, spv::DecorationSpecId) == number;
+    });
+  }
+
   void compareLocalSize() {
     for (const auto& [id, constant] : module_.constants) {
       if (constant.code == spv::OpSpecConstantComposite &&
@@ -128,7 +148,7 @@ class Comparison {
 
   void compareConstant(std::uint32_t id, const SpirvInstruction& constant) {
     const std::optional<std::uint32_t> number = module_.decoration(id, spv::DecorationSpecId);
-    if (!number) return;
+    if (!number || !isSpecializationLeft(*number)) return;
     const SpirvInstruction& type = module_.types.at(constant.operands[0]);
     const bool isWord =
         type.code == spv::OpTypeBool || (type.code == spv::OpTypeInt && type.operands[0] == 32);
@@ -143,7 +163,8 @@ class Comparison {
     }
   }
 
-  SpirvModule module_;
+  SpirvModule module_;  // as written
+  SpirvModule optimized_;
   std::vector<Misfit> misfits_;
 };
 
@@ -156,8 +177,9 @@ std::optional<std::size_t> firstDifference(std::string_view interface) {
   return 1 + static_cast<std::size_t>(std::count(interface.begin(), end, '\n'));
 }
 
-std::vector<Misfit> findMisfits(std::span<const std::uint32_t> spirv) {
-  return Comparison(spirv).run();
+std::vector<Misfit> findMisfits(std::span<const std::uint32_t> written,
+                                std::span<const std::uint32_t> optimized) {
+  return Comparison(written, optimized).run();
 }
 
 }  // namespace lavaray

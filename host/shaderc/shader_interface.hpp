@@ -23,7 +23,9 @@ struct Misfit {
 };
 
 // Compares what a valid compute shader asks for with what the host gives it: bindings, push constants, local
-// size, specialization constants, features of the device.
-std::vector<Misfit> findMisfits(std::span<const std::uint32_t> spirv);
+// size, specialization constants, features of the device. Only what the optimizer leaves counts, as a shader
+// may declare what it does not use; but as it is written, since some optimizers make what is left smaller.
+std::vector<Misfit> findMisfits(std::span<const std::uint32_t> written,
+                                std::span<const std::uint32_t> optimized);
 
 }  // namespace lavaray
