@@ -4,7 +4,6 @@
 
 #include "core/parallel.hpp"
 #include "core/scene_reader.hpp"
-#include "shaderc/shader_compiler.hpp"
 
 namespace lavaray {
 namespace fs = std::filesystem;
@@ -16,6 +15,10 @@ bool haveCommon(const Inputs::Files& a, const Inputs::Files& b) {
 }
 
 }  // namespace
+
+Inputs::Inputs(const Options& options) : options_(options) {
+  if (!options.shaders.empty()) compiler_.emplace();
+}
 
 bool Inputs::readScene(const Files& changed) {
   if (scene_ && !haveCommon(changed, sceneFiles_)) return false;
@@ -41,12 +44,12 @@ Mesh Inputs::readMesh(const fs::path& file) {
 }
 
 bool Inputs::compileShaders(const Files& changed) {
-  if (options_.shaders.empty()) return false;
+  if (!compiler_) return false;
   const bool forFewPrimitives = scene_ && hasFewPrimitives(*scene_);
   if (forFewPrimitives != std::exchange(isForFewPrimitives_, forFewPrimitives)) shader_.clear();
   if (!shader_.empty() && !haveCommon(changed, shaderFiles_)) return false;
   try {
-    CompiledShader compiled = compileRenderShader(options_.shaders, forFewPrimitives);
+    CompiledShader compiled = compiler_->compile(options_.shaders, forFewPrimitives);
     warnings_.insert(warnings_.end(), compiled.warnings.begin(), compiled.warnings.end());
     shader_ = std::move(compiled.spirv);
     shaderFiles_ = std::move(compiled.files);

@@ -11,6 +11,7 @@
 #include "app/options.hpp"
 #include "core/flatten.hpp"
 #include "core/scene.hpp"
+#include "shaderc/isolated_compiler.hpp"
 
 namespace lavaray {
 
@@ -18,7 +19,8 @@ namespace lavaray {
 // file that has changed is made anew.
 class Inputs {
  public:
-  explicit Inputs(const Options& options) : options_(options) {}
+  // With --shaders a process is forked, so no thread must be there yet.
+  explicit Inputs(const Options& options);
 
   using Files = std::vector<std::filesystem::path>;
 
@@ -52,6 +54,7 @@ class Inputs {
       flattened_;  // the scene that gpuScene_ was made from, where there was a newer one since
   std::optional<GpuScene> gpuScene_;
   std::vector<std::string> warnings_;
+  std::optional<IsolatedCompiler> compiler_;  // with --shaders
   Files shaderFiles_;
   std::vector<std::uint32_t> shader_;
   bool isForFewPrimitives_ = false;  // the shader

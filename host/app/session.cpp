@@ -61,7 +61,7 @@ bool keepsFilm(const Options& options) {
 }  // namespace
 
 Session::Session(const Options& options)
-    : options_(options), device_(options), inputs_(options), progress_(progressStyle(options.quiet)) {}
+    : options_(options), inputs_(options), device_(options), progress_(progressStyle(options.quiet)) {}
 
 bool Session::isEnded() const {
   return wasInterrupted() || windowClosed_;

@@ -48,8 +48,8 @@ class Session {
   [[nodiscard]] bool isEnded() const;
 
   const Options& options_;
+  Inputs inputs_;  // before the device, which is opened by another thread
   FutureDevice device_;
-  Inputs inputs_;
   Progress progress_;
   StepTimes times_;
   std::optional<FolderWatcher> watcher_;  // with --watch

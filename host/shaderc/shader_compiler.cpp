@@ -191,9 +191,14 @@ std::string validate(const std::vector<std::uint32_t>& spirv) {
 
 }  // namespace
 
-CompiledShader compileRenderShader(const std::filesystem::path& directory, bool forFewPrimitives) {
+void prepareCompiler() {
   CompilerProcess::ensure();
-  ShaderSources sources(directory);
+}
+
+CompiledShader compileRenderShader(const std::filesystem::path& directory, bool forFewPrimitives,
+                                   const std::function<void(const std::filesystem::path&)>& onFile) {
+  prepareCompiler();
+  ShaderSources sources(directory, onFile);
   Complaints complaints(sources, forFewPrimitives);
   sources.add(kSource);
   sources.add(kInterface);

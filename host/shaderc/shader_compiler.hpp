@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +34,14 @@ class ShaderError : public Error {
 
 // Compiles `directory`/render.comp to the SPIR-V that the build makes of it, for a scene of few primitives or
 // for any (see scene_data.glsl), and checks that it fits the program. Throws ShaderError where it does not
-// compile or fit. May be called from any thread.
-CompiledShader compileRenderShader(const std::filesystem::path& directory, bool forFewPrimitives);
+// compile or fit. `onFile` is told of each file when it is looked for. May be called from any thread.
+//
+// The compiler has defects with which it ends the process; see IsolatedCompiler.
+CompiledShader compileRenderShader(
+    const std::filesystem::path& directory, bool forFewPrimitives,
+    const std::function<void(const std::filesystem::path&)>& onFile = [](const std::filesystem::path&) {});
+
+// Makes the compiler's tables, which the first compilation does otherwise.
+void prepareCompiler();
 
 }  // namespace lavaray

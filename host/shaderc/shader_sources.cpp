@@ -22,8 +22,8 @@ constexpr auto kNone = static_cast<std::size_t>(-1);
 
 }  // namespace
 
-ShaderSources::ShaderSources(std::filesystem::path directory)
-    : directory_(std::move(directory)), openFolders_{directory_} {}
+ShaderSources::ShaderSources(std::filesystem::path directory, OnFile onFile)
+    : directory_(std::move(directory)), onFile_(std::move(onFile)), openFolders_{directory_} {}
 
 void ShaderSources::add(const std::string& name) {
   const std::filesystem::path file = directory_ / name;
@@ -65,7 +65,10 @@ std::size_t ShaderSources::include(std::string_view header, std::size_t depth) {
 std::size_t ShaderSources::read(const std::filesystem::path& file, std::string& reason) {
   const auto known = std::ranges::find(sources_, file, &ShaderSource::path);
   if (known != sources_.end()) return static_cast<std::size_t>(known - sources_.begin());
-  if (std::ranges::find(files_, file) == files_.end()) files_.push_back(file);
+  if (std::ranges::find(files_, file) == files_.end()) {
+    files_.push_back(file);
+    onFile_(file);
+  }
 
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);

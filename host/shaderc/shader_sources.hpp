@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,9 @@ struct ShaderSource {
 // The files of one compilation, each read once, so that all of the compilation sees the same text.
 class ShaderSources {
  public:
-  explicit ShaderSources(std::filesystem::path directory);
+  // `onFile` is told of each file when it is looked for.
+  using OnFile = std::function<void(const std::filesystem::path&)>;
+  ShaderSources(std::filesystem::path directory, OnFile onFile);
 
   // Reads `directory`/`name`; the complaints say so where that cannot be done. The first is the file that is
   // compiled.
@@ -41,6 +44,7 @@ class ShaderSources {
   std::size_t read(const std::filesystem::path& file, std::string& reason);
 
   std::filesystem::path directory_;
+  OnFile onFile_;
   std::deque<ShaderSource> sources_;  // a deque, as the compiler holds on to their texts
   std::vector<std::filesystem::path> files_;
   std::vector<std::string> complaints_;
