@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Every way in which the programs fail that can be brought about from outside: the exit code says what kind it is, and
 # the message is for a user, without names from the source, the C++ library or Vulkan, and without numbers for reasons.
-# Called with the folder of the programs, the folder of the scenes, the fuzzers' corpus and a scratch folder, which it
+# Called with the folders of the programs, the scenes, the fuzzers' corpus and the shaders, and a scratch folder, which it
 # makes anew.
 set -u
-programs=$1 scenes=$2 corpus=$3 scratch=$4
+programs=$1 scenes=$2 corpus=$3 shaders=$4 scratch=$5
 lavaray=$programs/lavaray
 diff=$programs/lavaray-diff
 merge=$programs/lavaray-merge
@@ -158,6 +158,17 @@ fails 5 env -u DISPLAY "$lavaray" "$scene" --width 16 --display
 if bash -c "ulimit -v 1000000; '$lavaray' --version" >stdout 2>&1; then
   fails '4|6' bash -c "ulimit -v 600000; '$lavaray' '$scene' --width 60000"
   fails '3|6' bash -c "ulimit -v 100000; '$diff' huge.ppm huge.ppm"
+  # From a limit at which the program can hardly start to one at which it misses nothing but a driver: in between it is
+  # the shaders' compiler that ends.
+  cp -r "$shaders" whole-shaders
+  compiler_ended=0
+  for mebibytes in {20..300..4}; do
+    bash -c "ulimit -v $((mebibytes * 1024)); '$lavaray' --version" >stdout 2>&1 || continue
+    fails '1|3|4|6' bash -c "ulimit -v $((mebibytes * 1024)); $no_driver '$lavaray' '$scene' --shaders whole-shaders"
+    grep -q 'the shader compiler ended in the middle' stderr && compiler_ended=1
+    grep -q 'Vulkan driver' stderr && break
+  done
+  [ $compiler_ended -eq 1 ] || complain 'no limit at which the compiler ends'
   for mebibytes in {60..900..40}; do
     fails '0|1|4|6|1[3-9][0-9]' bash -c "ulimit -v $((mebibytes * 1024)); '$lavaray' -q '$scene' --width 1500 -o small.png"
   done

@@ -10,6 +10,7 @@ import os
 import pathlib
 import random
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -47,12 +48,36 @@ class Watched:
         sys.exit(f'FAILED: nothing like {pattern!r} in\n{self.said()}')
 
     def memory(self):
-        status = pathlib.Path(f'/proc/{self.process.pid}/status').read_text()
-        return int(re.search(r'VmRSS:\s+(\d+)', status).group(1)) / 1024
+        return status_number(self.process.pid, 'VmRSS') / 1024
+
+    def compiler(self):
+        """The process that compiles shaders."""
+        found = [process for process in processes() if status_number(process, 'PPid') == self.process.pid]
+        check(len(found) == 1, f'one process for compiling: {found}')
+        return found[0]
 
     def stop(self):
-        self.process.send_signal(signal.SIGINT)
-        return self.process.wait(SECONDS)
+        """Ctrl-C, of which all processes of a terminal hear."""
+        compiler = self.compiler()
+        for process in (compiler, self.process.pid):
+            os.kill(process, signal.SIGINT)
+        code = self.process.wait(SECONDS)
+        check(compiler not in processes(), 'no process is left')
+        return code
+
+
+def processes():
+    return [int(folder.name) for folder in pathlib.Path('/proc').iterdir() if folder.name.isdigit()]
+
+
+def status_number(process, entry):
+    """Of /proc/PROCESS/status; 0 where the process has ended."""
+    try:
+        status = pathlib.Path(f'/proc/{process}/status').read_text()
+    except (FileNotFoundError, ProcessLookupError):
+        return 0
+    found = re.search(rf'^{entry}:\s+(\d+)', status, re.M)
+    return int(found.group(1)) if found else 0
 
 
 checks = 0
@@ -178,6 +203,23 @@ def main():
     lavaray.wait_for(r'interface.h:\d+: ')
     edit_in_place(interface, interface_text)
     lavaray.wait_for('wrote torus.ppm')
+
+    # A compiler that ends in the middle of its work, here for want of memory. (A sanitizer needs more than any limit
+    # leaves.)
+    compiler = lavaray.compiler()
+    kibibytes = status_number(compiler, 'VmSize')
+    if kibibytes < 1 << 30:
+        before = resource.prlimit(compiler, resource.RLIMIT_AS)
+        resource.prlimit(compiler, resource.RLIMIT_AS, ((kibibytes + 1024) * 1024, before[1]))
+        edit_in_place(shader, blue)
+        lavaray.wait_for(r'lavaray: shaders/render.comp: the shader compiler ended in the middle of it \(')
+        check(picture.read_bytes() == original, 'a compiler that ends leaves the picture alone')
+        resource.prlimit(compiler, resource.RLIMIT_AS, before)
+        edit_in_place(shader, shader_text + '\n')
+        lavaray.wait_for('wrote torus.ppm')
+        check(picture.read_bytes() == original, 'the next edit is compiled as ever')
+        edit_in_place(shader, shader_text)
+        lavaray.wait_for('wrote torus.ppm')
 
     # Edits at random, each followed by a good one.
     count = 100 if os.environ.get('LAVARAY_STRESS') == 'full' else 20

@@ -88,8 +88,10 @@ CompiledShader IsolatedCompiler::compile(const std::filesystem::path& directory,
   if (!result.failure.empty()) {
     const std::filesystem::path source = directory / "render.comp";
     if (shader.files.empty()) shader.files.push_back(source);
-    error = printable(source.native()) + ": the shader compiler failed on it without a word (" +
-            result.failure + "); write what was changed last in another way";
+    error =
+        printable(source.native()) + ": the shader compiler ended in the middle of it (" + result.failure +
+        "): if there is enough memory, that is a defect of the compiler, and another way to write the last "
+        "change may avoid it";
   }
   if (error) throw ShaderError(*error, std::move(shader.files));
   return shader;
