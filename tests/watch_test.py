@@ -211,7 +211,8 @@ def main():
     if kibibytes < 1 << 30:
         before = resource.prlimit(compiler, resource.RLIMIT_AS)
         resource.prlimit(compiler, resource.RLIMIT_AS, ((kibibytes + 1024) * 1024, before[1]))
-        edit_in_place(shader, blue)
+        line = 'vec3 color = path.color;'
+        edit_in_place(shader, shader_text.replace(line, line + ' color.x += sin(color.y * 1.5 + 2.0);' * 30000))
         lavaray.wait_for(r'lavaray: shaders/render.comp: the shader compiler ended in the middle of it \(')
         check(picture.read_bytes() == original, 'a compiler that ends leaves the picture alone')
         resource.prlimit(compiler, resource.RLIMIT_AS, before)
