@@ -129,7 +129,8 @@ holds '--json writes JSON' python3 -m json.tool stats.json
 json_has() {
   holds "--json: $1" python3 -c "import json, sys; s = json.load(open('stats.json')); sys.exit(not ($1))"
 }
-json_has "set(s) == set('schema lavaray scene bvh rays sampling device memory steps seconds'.split())"
+json_has "set(s) == set('schema lavaray scene picture bvh rays sampling device memory steps seconds'.split())"
+json_has "s['picture']['width'] == 64 and s['picture']['height'] == $(sed -n 2p <(head -c 20 picture.ppm) | cut -d' ' -f2)"
 json_has "s['schema'] == 1 and s['scene']['spheres'] == $(grep -cx sphere "$scene")"
 json_has "s['sampling'] == dict(stopped='finished', samplesPerPixel=4, mostSamplesPerPixel=4, skippedPixels=0, estimatedRmse=None)"
 json_has "s['rays']['camera'] == $(awk '$1 == "camera" && $2 != "rays" { print $2 }' stderr) and s['rays']['mirror'] == 0"
@@ -146,7 +147,9 @@ expect 5 'cannot be written' "$lavaray" "$scene" $small --json no-such-folder/st
 holds 'no picture where the statistics cannot be written' test ! -e unwritten.png
 expect 3 'no-such-scene' "$lavaray" no-such-scene.txt --json kept.json -o unwritten.png
 holds 'a scene error leaves the statistics alone' grep -qx 'precious' kept.json
-expect 2 'check' "$lavaray" "$scene" --check --json stats.json
+expect 0 '' "$lavaray" "$scene" --check --json stats.json --width 77
+json_has "set(s) == set('schema lavaray scene picture'.split()) and s['picture']['width'] == 77"
+expect 5 'cannot be written' "$lavaray" "$scene" --check --json no-such-folder/stats.json
 expect 2 '--output and --json are both ./one.ppm' "$lavaray" "$scene" -o ./one.ppm --json one.ppm
 
 ln -s target.png link.png

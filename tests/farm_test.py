@@ -25,7 +25,7 @@ def main():
     programs, scenes, tools, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     sys.path.insert(0, str(tools))
     sys.dont_write_bytecode = True
-    from farm_jobs import cuts, jobs
+    from farm_jobs import cuts, jobs, plan
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
 
@@ -69,6 +69,28 @@ def main():
                 run('sh', '-c', task)
             run('sh', '-c', farm(*arguments, '--print=merge').stdout)
             same(f'{by}{parts}.png')
+
+    # Sizes that end in a half, which is rounded up, and what the parts' rows are cut from: the program's size.
+    for width, height, options_, size in ((1000, 500, ['--width', '1001'], (1001, 501)),
+                                          (1000, 500, ['--width', '1003'], (1003, 502)),
+                                          (500, 1000, ['--height', '1001'], (501, 1001)),
+                                          (500, 1000, ['--height', '1003'], (502, 1003)),
+                                          (1000, 500, ['--width', '7'], (7, 4)), (1000, 500, ['--width', '1'], (1, 1)),
+                                          (1000, 500, ['--width', '31', '--height', '12'], (31, 12)),
+                                          (1000, 500, [], (1000, 500))):
+        half = work / 'half.txt'
+        half.write_text(f'1\ncamera\npos: 0 0 0\nfov: 90\nf: {height / 2}\na: {width / height}\n')
+        check(plan.scene_facts(programs / 'lavaray', half, options_)[:2] == size, f'{options_} of {width} x {height}')
+        run(programs / 'lavaray', half, *options_, '-o', 'half.ppm', '-q')
+        header = (work / 'half.ppm').read_bytes().split(b'\n')[1].decode()
+        check(header == '%d %d' % size, f'{options_} of {width} x {height} is a picture of {header}')
+    half.write_text('1\ncamera\npos: 0 0 0\nfov: 90\nf: 250\na: 2\n')
+    arguments = [half, '--width', '1001', '--parts', 2, '-o', 'half.png']
+    for task in farm(*arguments, '--print=tasks').stdout.splitlines():
+        run('sh', '-c', task)
+    run('sh', '-c', farm(*arguments, '--print=merge').stdout)
+    run(programs / 'lavaray', half, '--width', '1001', '-o', 'half-whole.png', '-q')
+    run(programs / 'lavaray-diff', 'half.png', 'half-whole.png')
 
     # What is damaged or missing is named, and only that is rendered again.
     folder = work / 'rows4.png.farm'

@@ -61,7 +61,7 @@ for value in x 1 1,2 1,2,3,4,5 a,b,c,d -1,0,5,5 5,5,1,1 0,0,721,1 0,0,1,99999999
 done
 for option in filter sampler view; do fails 2 "$lavaray" "$scene" --$option nonsense; done
 for options in '--spp 4 --target-error 0.1' '--view error' '--view normal --target-error 0.1' '-q -v' \
-  '--check --json x.json' '--sample-range 1:2' '--spp 4 --sample-range 3:2' '--spp 4 --sample-range x' \
+  '--check --json x.json --width 1 --height 65536' '--sample-range 1:2' '--spp 4 --sample-range 3:2' '--spp 4 --sample-range x' \
   '--checkpoint-every 3' '-o picture.jpg' '-o .' '--watch -o -' '--view depth -o part.film' \
   '--normalize -o part.film' '--height 1 --width 65536'; do
   fails 2 "$lavaray" "$scene" $options

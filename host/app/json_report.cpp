@@ -76,29 +76,42 @@ Json timesJson(const StepTimes& times) {
   return steps;
 }
 
-}  // namespace
+// What is known without rendering.
+Json inputJson(const Scene& scene, const ImageSize& size) {
+  return {{"schema", kSchema},
+          {"lavaray", kVersion},
+          {"scene", sceneJson(scene)},
+          {"picture", {{"width", size.width}, {"height", size.height}}}};
+}
 
-void writeJsonStatistics(std::FILE* stream, const Scene& scene, const GpuScene& gpuScene,
-                         const vulkan::Device& device, const RenderStatistics& result,
-                         const StepTimes& times) {
-  const Json report = {{"schema", kSchema},
-                       {"lavaray", kVersion},
-                       {"scene", sceneJson(scene)},
-                       {"bvh", bvhJson(gpuScene)},
-                       {"rays",
-                        {{"camera", result.counts.samples},
-                         {"mirror", result.counts.mirrorRays},
-                         {"shadow", result.counts.shadowRays},
-                         {"skippedCamera", result.counts.skippedSamples},
-                         {"skippedShadow", result.counts.skippedShadowRays}}},
-                       {"sampling", samplingJson(result)},
-                       {"device", deviceJson(device, result)},
-                       {"memory", {{"peakBytes", peakMemoryBytes()}}},
-                       {"steps", timesJson(times)},
-                       {"seconds", times.seconds()}};
+void write(std::FILE* stream, const Json& report) {
   // A file's name need not be UTF-8, which JSON must be.
   const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+}  // namespace
+
+void writeJsonCheck(std::FILE* stream, const Scene& scene, const ImageSize& size) {
+  write(stream, inputJson(scene, size));
+}
+
+void writeJsonStatistics(std::FILE* stream, const Scene& scene, const ImageSize& size,
+                         const GpuScene& gpuScene, const vulkan::Device& device,
+                         const RenderStatistics& result, const StepTimes& times) {
+  Json report = inputJson(scene, size);
+  report["bvh"] = bvhJson(gpuScene);
+  report["rays"] = {{"camera", result.counts.samples},
+                    {"mirror", result.counts.mirrorRays},
+                    {"shadow", result.counts.shadowRays},
+                    {"skippedCamera", result.counts.skippedSamples},
+                    {"skippedShadow", result.counts.skippedShadowRays}};
+  report["sampling"] = samplingJson(result);
+  report["device"] = deviceJson(device, result);
+  report["memory"] = {{"peakBytes", peakMemoryBytes()}};
+  report["steps"] = timesJson(times);
+  report["seconds"] = times.seconds();
+  write(stream, report);
 }
 
 }  // namespace lavaray

@@ -1,10 +1,13 @@
 #include <iostream>
 
+#include "app/json_report.hpp"
 #include "app/options.hpp"
 #include "app/program.hpp"
 #include "app/report.hpp"
 #include "app/session.hpp"
+#include "core/camera.hpp"
 #include "core/scene_reader.hpp"
+#include "image/output_file.hpp"
 #include "vulkan/driver_survey.hpp"
 
 namespace lavaray {
@@ -28,7 +31,13 @@ ExitCode run(const Options& options) {
   if (options.check) {
     const Scene scene = readScene(options.scene);
     printWarnings(std::cerr, scene.warnings);
+    const ImageSize size = outputSize(options, imageSize(scene.camera).value());
     printScene(std::cerr, scene);
+    if (!options.json.empty()) {
+      OutputFile file(options.json);
+      writeJsonCheck(file.stream(), scene, size);
+      file.commit();
+    }
     return ExitCode::kSuccess;
   }
   return Session(options).run();

@@ -169,12 +169,13 @@ void addOtherOptions(CLI::App& app, Options& options) {
          "Vulkan device, by number or part of its name. Default: the best one (discrete, integrated, CPU)")
       ->type_name("N or NAME");
   app.add_flag("--list-devices", options.listDevices, "List the Vulkan devices and exit");
-  CLI::Option* check = app.add_flag("--check", options.check,
-                                    "Read the scene and its meshes, say what is in them, render nothing");
+  app.add_flag("--check", options.check,
+               "Read the scene and its meshes, say what is in them, render nothing");
   app.add_flag("--stats", options.stats, "Say where time and memory went, and what was done");
-  app.add_option("--json", options.json, "Write what --stats says to FILE, as JSON")
-      ->type_name("FILE")
-      ->excludes(check);
+  app.add_option(
+         "--json", options.json,
+         "Write what --stats says to FILE, as JSON; with --check what that says, and the picture's size")
+      ->type_name("FILE");
   app.add_flag("--validate", options.validate,
                "Run under the Khronos validation layer; its messages make the exit code 1");
   CLI::Option* quiet = app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");
@@ -236,7 +237,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string("lavaray ") + kVersion);
   app.footer(
       "Exit codes: 0 fine, 1 internal error, 2 usage, 3 scene, mesh, shader or film, 4 no usable device,\n"
-      "5 output not written or no screen for --display, 130 interrupted.");
+      "5 output not written or no screen for --display, 6 not enough memory, 130 interrupted.");
   app.add_option("SCENE", options.scene, "Scene file to render");
   addRenderOptions(app, options);
   addSamplingOptions(app, options);

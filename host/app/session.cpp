@@ -157,7 +157,8 @@ void Session::writeOutputs(Render& render, const RenderSettings& settings, const
     times_.print(std::cerr);
   }
   if (outputs.json() != nullptr) {
-    writeJsonStatistics(outputs.json(), inputs_.scene(), inputs_.gpuScene(), device, statistics, times_);
+    writeJsonStatistics(outputs.json(), inputs_.scene(), settings.size, inputs_.gpuScene(), device,
+                        statistics, times_);
     outputs.commitJson();
   }
 }

@@ -39,7 +39,7 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string("lavaray-diff ") + kVersion);
   app.footer(
       "Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
-      "2 usage, 3 an image cannot be read, 5 output not written, 10 the images differ.");
+      "2 usage, 3 an image cannot be read, 5 output not written, 6 not enough memory, 10 the images differ.");
   app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pfm)")->required();
   app.add_option("REFERENCE", options.reference, "Image to compare it with");
   app.add_option("--tolerance", options.tolerance, "A channel off by at most T/255 does not differ")

@@ -34,7 +34,8 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
                "lavaray-merge");
   app.set_version_flag("--version", std::string("lavaray-merge ") + kVersion);
   app.footer(
-      "Exit codes: 0 fine, 2 usage, 3 parts that are damaged, foreign or missing, 5 output not written.");
+      "Exit codes: 0 fine, 2 usage, 3 parts that are damaged, foreign or missing, 5 output not written,\n"
+      "6 not enough memory.");
   app.add_option("PARTS", options.parts, "Films of all of the picture, in any order")->required();
   CLI::Option* output = app.add_option("-o,--output", options.output,
                                        "Image to write; its ending says the format: .bmp, .png, .ppm, .pfm")

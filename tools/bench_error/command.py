@@ -184,7 +184,7 @@ def run(options):
         print(note, file=sys.stderr)
     chosen = scenes.make_scenes(options.scenes, options.size, model_texts())
     peers = povray.Peers({}, {}, {})
-    texts, left_out = povray.peer_scenes(chosen) if rival else ([], {})
+    texts, left_out = povray.peer_scenes(chosen, options.size) if rival else ([], {})
     chosen += [scene for scene, _ in texts if scene.variant]
     files = {scene.name: running.write_scene(scene, options.out / "scenes") for scene in chosen}
     if rival:

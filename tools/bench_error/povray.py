@@ -14,7 +14,6 @@ from behind, lavaray only those of faces that are, so that on a mesh's silhouett
 """
 
 import dataclasses
-import math
 import os
 import shutil
 import subprocess
@@ -92,14 +91,14 @@ def contestants(quick):
             for threshold, depth in LADDERS[method] if not quick or depth <= QUICK_DEPTHS[method]]
 
 
-def peer_scenes(scenes):
-    """The scenes, or variants of them, that both can show, with their texts for POV-Ray, [(scene, text)]; and
+def peer_scenes(scenes, size):
+    """The scenes, or variants of them, of pictures of this size, that both can show, with their texts for POV-Ray, [(scene, text)]; and
     name -> reason of the others."""
     found, left_out = [], {}
     for scene in scenes:
         for candidate in (scene, variant(scene)):
             try:
-                found.append((candidate, scene_text(candidate)))
+                found.append((candidate, scene_text(candidate, size)))
                 left_out.pop(scene.name, None)
                 break
             except NotEqual as reason:
@@ -149,13 +148,15 @@ def parse(text):
     return blocks
 
 
-def scene_text(scene):
-    """The scene in POV-Ray's language. Raises NotEqual."""
-    writers = {"camera": camera, "light": light, "plane": plane, "sphere": sphere, "triangle": triangle}
+def scene_text(scene, size):
+    """The scene, whose picture has this size, in POV-Ray's language. Raises NotEqual."""
+    writers = {"light": light, "plane": plane, "sphere": sphere, "triangle": triangle}
     parts = [GLOBALS]
     for kind, keys in parse(scene.text):
         if kind == "mesh":
             parts.append(f"mesh2 {{ {mesh(scene.meshes[keys['file'][0]])}{texture(keys)} }}")
+        elif kind == "camera":
+            parts.append(camera(keys, size))
         else:
             parts.append(writers[kind](keys))
     return "\n".join(parts) + "\n"
@@ -165,12 +166,10 @@ def vector(values):
     return f"<{','.join(str(value) for value in values)}>"
 
 
-def camera(keys):
+def camera(keys, size):
     """Explicit vectors make no difference between left- and right-handed coordinates."""
-    f, fov, a = (float(keys[key][0]) for key in ("f", "fov", "a"))
-    height = math.floor(2 * f * math.tan(math.radians(fov) / 2) + 1e-6)
-    width = math.floor(a * height + 1e-6)
-    return (f"camera {{ location {vector(keys['pos'])} direction <0,0,{-f}> right <{width},0,0> "
+    width, height = size
+    return (f"camera {{ location {vector(keys['pos'])} direction <0,0,{-float(keys['f'][0])}> right <{width},0,0> "
             f"up <0,{height},0> }}")
 
 

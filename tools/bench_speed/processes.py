@@ -6,11 +6,13 @@ of the scene with grey highlights and without that. How far that picture is from
 reported, to show that both do the same work.
 """
 
+import json
 import math
 import os
 import re
 import shutil
 import subprocess
+import tempfile
 import time
 from pathlib import Path
 from statistics import median
@@ -36,11 +38,15 @@ def parse(text):
     return blocks
 
 
-def image_size(camera):
-    """As the scene format says."""
-    f, fov, aspect = (float(camera[key][0]) for key in ("f", "fov", "a"))
-    height = math.floor(2 * f * math.tan(math.radians(fov) / 2) + 1e-6)
-    return math.floor(aspect * height + 1e-6), height
+def image_size(lavaray, file):
+    """Width and height of a scene's picture, as the program says."""
+    with tempfile.TemporaryDirectory() as folder:
+        facts = Path(folder) / "facts.json"
+        found = subprocess.run([lavaray, file, "--check", "--json", facts], capture_output=True, text=True, check=False)
+        if found.returncode != 0:
+            raise ProgramError(found.stderr.strip())
+        picture = json.loads(facts.read_text())["picture"]
+    return picture["width"], picture["height"]
 
 
 def bunny_scene(mesh):
@@ -106,12 +112,12 @@ def mesh2(obj):
             f"face_indices {{ {len(faces)}, {','.join(faces)} }}\n")
 
 
-def pov_scene(text, folder):
-    """A plain scene in POV-Ray's language; mesh files are relative to the folder."""
+def pov_scene(text, folder, size):
+    """A plain scene in POV-Ray's language; mesh files are relative to the folder, `size` is the picture's."""
     parts = ["#version 3.7;\nglobal_settings { assumed_gamma 1 }"]
     for kind, block in parse(text):
         if kind == "camera":
-            width, height = image_size(block)
+            width, height = size
             # Not mirrored: POV-Ray's own default looks along +z.
             parts.append(f"camera {{ location {vector(block['pos'])} direction <0,0,{-float(block['f'][0])!r}> "
                          f"right <{width},0,0> up <0,{height},0> }}")
@@ -169,9 +175,9 @@ def contestants(name, file, lavaray, povray, out, device, threads):
               ("lavaray, cold shader cache", command, {"MESA_SHADER_CACHE_DISABLE": "true"}, image)]
     if povray:
         text = file.read_text()
-        width, height = image_size(dict(parse(text))["camera"])
+        width, height = image_size(lavaray, file)
         pov, image = out / f"{name}.pov", out / f"{name}-povray.ppm"
-        pov.write_text(pov_scene(plain(text), file.parent))
+        pov.write_text(pov_scene(plain(text), file.parent, (width, height)))
         # Its own defaults, but for threads, no anti-aliasing, no window, and values as they are.
         command = [povray, f"+I{pov}", f"+O{image}", "+FP", f"+W{width}", f"+H{height}", f"+WT{threads}", "-A", "-D",
                    "-GA", "File_Gamma=1.0"]

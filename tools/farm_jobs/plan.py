@@ -1,9 +1,10 @@
 """What there is to do for a picture: the parts and how they are merged, as shell commands."""
 
 import hashlib
-import re
+import json
 import shlex
 import subprocess
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -38,14 +39,16 @@ def join(words):
     return shlex.join(map(str, words))
 
 
-def scene_facts(lavaray, scene):
-    """Width and height of the scene's picture, and the files that it is made of."""
-    found = subprocess.run([lavaray, scene, "--check"], capture_output=True, text=True)
-    if found.returncode != 0:
-        raise PlanError(found.stderr.strip())
-    width, height = map(int, re.search(r"image +(\d+) x (\d+)", found.stderr).groups())
-    meshes = re.findall(r"^ +mesh file +(.*): \d+ triangles, ", found.stderr, re.M)
-    return width, height, [scene, *meshes]
+def scene_facts(lavaray, scene, options):
+    """Width and height of the picture that the options ask for, and the files that the scene is made of."""
+    with tempfile.TemporaryDirectory() as folder:
+        facts = Path(folder) / "facts.json"
+        found = subprocess.run([lavaray, scene, *options, "--check", "--json", facts], capture_output=True, text=True)
+        if found.returncode != 0:
+            raise PlanError(found.stderr.strip())
+        known = json.loads(facts.read_text())
+    picture = known["picture"]
+    return picture["width"], picture["height"], [scene, *(mesh["file"] for mesh in known["scene"]["meshFiles"])]
 
 
 def checksum(files, command):
@@ -63,18 +66,6 @@ def without(options, names):
     """The options without these, each of which has a value."""
     leave_out = {i + offset for i, option in enumerate(options) if option in names for offset in (0, 1)}
     return [option for i, option in enumerate(options) if i not in leave_out]
-
-
-def picture_size(width, height, options):
-    """The size that --width and --height ask for, as lavaray takes them."""
-    new_width, new_height = (value(options, name, None) for name in ("--width", "--height"))
-    if new_width and new_height:
-        return int(new_width), int(new_height)
-    if new_width:
-        return int(new_width), max(1, round(int(new_width) * height / width))
-    if new_height:
-        return max(1, round(int(new_height) * width / height)), int(new_height)
-    return width, height
 
 
 def by_samples(options, parts):
@@ -101,14 +92,14 @@ def by_rows(lavaray, scene, options, parts, width, height):
 
 def plan_picture(programs, scene, options, parts, by, output, folder):
     lavaray = programs / "lavaray"
-    scene_width, scene_height, files = scene_facts(lavaray, scene)
+    width, height, files = scene_facts(lavaray, scene, options)
     render = [lavaray, scene, *options, "-q"]
     if parts == 1:
         cut = [[]]
     elif by == "samples":
         cut = by_samples(options, parts)
     else:
-        cut = by_rows(lavaray, scene, options, parts, *picture_size(scene_width, scene_height, options))
+        cut = by_rows(lavaray, scene, options, parts, width, height)
     films = [folder / f"{output.stem}-{i:04}.film" for i in range(parts)]
     tasks = [Task(film, [*render, *which, "-o", film]) for film, which in zip(films, cut)]
     merge = [programs / "lavaray-merge", *films, "-q", "-o", output]
