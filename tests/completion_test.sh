@@ -28,10 +28,10 @@ offers() {
   fi
 }
 
-# The options of each program are those of its help.
+# The options of each program are those of its table.
 for program in lavaray lavaray-diff lavaray-merge; do
-  options=$("$program" --help | sed -nE 's/^  (-[^ ]+).*/\1/p' | tr ',' '\n')
-  [ "$(wc -w <<<"$options")" -gt 4 ] || { echo "FAILED: $program --help has few options: $options"; exit 1; }
+  options=$("$program" --help-table | awk -F'\t' '$1 == "option" { print $2 }' | tr -d ' ' | tr ',' '\n')
+  [ "$(wc -w <<<"$options")" -gt 4 ] || { echo "FAILED: $program --help-table has few options: $options"; exit 1; }
   offers "$program -" $options
   offers "$program x --" $(grep -e -- <<<"$options")
 done

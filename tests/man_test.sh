@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# man_test.sh PROGRAMS PAGES: the manual pages that were built have no errors, and all of what --help has.
+# man_test.sh PROGRAMS PAGES: the manual pages that were built have no errors, and all of what the programs'
+# tables of options say; so has --help.
 # Exits with 77 (skipped) where there is no groff to show a page.
 set -u
 programs=$1 pages=$2
@@ -37,21 +38,31 @@ for program in lavaray lavaray-diff lavaray-merge; do
   holds "$program.1 keeps no placeholder" test -z "$(grep '^@' <<<"$words")"
   holds "$program.1 has the version" grep -qxF "$("$programs/$program" --version | cut -d' ' -f2)" <<<"$words"
 
-  help=$("$programs/$program" --help)
-  options=$(sed -nE 's/^  (-[^ ]+).*/\1/p' <<<"$help" | tr ',' '\n')
-  holds "$program --help has options" test "$(wc -w <<<"$options")" -gt 4
+  table=$("$programs/$program" --help-table)
+  # fields KIND NUMBER: that field of each line of the kind.
+  fields() { awk -F'\t' -v kind="$1" -v number="$2" '$1 == kind { print $number }' <<<"$table"; }
+  options=$(fields option 2 | tr -d ' ' | tr ',' '\n')
+  holds "$program has options" test "$(wc -w <<<"$options")" -gt 4
   for option in $options; do
     holds "$program.1 has $option" grep -qE -- "^$option,?$" <<<"$words"
   done
-  # What the help says, word for word.
+  # What the table says, word for word.
   text=$(tr '\n' ' ' <<<"$words")
-  descriptions=$(sed -nE '/^Options:/,/^$/{s/^  -.*[^ ] {2,}([^ ].*)$/\1/p; s/^ {30}//p}' <<<"$help")
-  codes=$(tr '\n' ' ' <<<"$help" | sed 's/.*Exit codes//' | grep -oE '[:,] [0-9]+ [a-z]+' | cut -c3-)
-  holds "$program --help describes each option" test "$(wc -l <<<"$descriptions")" -eq "$(grep -c '^  -' <<<"$help")"
-  holds "$program --help has exit codes" test "$(wc -l <<<"$codes")" -gt 3
+  descriptions=$(fields option 5; fields argument 5)
+  codes=$(fields footer 2 | sed 's/.*Exit codes//' | grep -oE '[:,] [0-9]+ [a-z]+' | cut -c3-)
+  holds "$program has exit codes" test "$(wc -l <<<"$codes")" -gt 3
   while IFS= read -r part; do
     holds "$program.1 has: $part" grep -qF -- " $part" <<<"$text"
   done <<<"$descriptions"$'\n'"$codes"
+  # The help is the same table, broken into lines.
+  help=$("$programs/$program" --help)
+  holds "$program --help has lines of at most 80 columns" test -z "$(grep -E '.{81}' <<<"$help")"
+  help=$(tr -s ' \n' ' ' <<<"$help")
+  while IFS=$'\t' read -r kind names takes allowed description; do
+    [ "$kind" = option ] || continue
+    [ "$takes" = - ] || names+=" $takes"
+    holds "$program --help has: $names $description" grep -qF -- " $names $description " <<<"$help "
+  done <<<"$table"
 done
 
 echo "$checks checks, $failures failures"

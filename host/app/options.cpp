@@ -70,12 +70,15 @@ void addSamplingOptions(CLI::App& app, Options& options) {
                          ->capture_default_str();
   app.add_option_function<std::string>(
          "--filter", [&options](const std::string& name) { options.filter = pixelFilter(name).value(); },
-         "Pixel filter: box, tent, gaussian or blackman-harris. Default: box")
+         "Pixel filter")
       ->type_name("NAME")
-      ->check([](const std::string& name) {
-        return pixelFilter(name) ? std::string()
-                                 : "there is no filter " + name + ", allowed are " + kPixelFilterNames;
-      });
+      ->check(
+          [](const std::string& name) {
+            return pixelFilter(name) ? std::string()
+                                     : "there is no filter " + name + ", allowed are " + kPixelFilterNames;
+          },
+          kPixelFilterNames)
+      ->default_str("box");
   app.add_option("--target-error", options.targetError,
                  "Sample until the image's RMSE is estimated to be at most E (colours in 0..1)")
       ->type_name("E")
@@ -102,31 +105,36 @@ void addSamplingOptions(CLI::App& app, Options& options) {
          [&options](const std::string& name) {
            options.sampler = name == samplerName(Sampler::kRandom) ? Sampler::kRandom : Sampler::kSobol;
          },
-         "Sample positions: sobol (Owen-scrambled) or random, for comparison. Default: sobol")
+         "Sample positions; sobol is Owen-scrambled, random for comparison")
       ->type_name("NAME")
-      ->check([](const std::string& name) {
-        return name == samplerName(Sampler::kSobol) || name == samplerName(Sampler::kRandom)
-                   ? std::string()
-                   : "there is no sampler " + name + ", allowed are sobol, random";
-      });
+      ->check(
+          [](const std::string& name) {
+            return name == samplerName(Sampler::kSobol) || name == samplerName(Sampler::kRandom)
+                       ? std::string()
+                       : "there is no sampler " + name + ", allowed are " + kSamplerNames;
+          },
+          kSamplerNames)
+      ->default_str(samplerName(Sampler::kSobol));
 }
 
 void addViewOption(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--view", [&options](const std::string& name) { options.view = viewNamed(name).value(); },
-         "What the image shows: color, normal, depth (distance, in proportion to the largest), object, "
-         "shadow "
-         "(share of the lights that are not blocked), cost (rays, in proportion to the most), samples "
-         "(likewise) "
-         "or error (estimated, in units of a colour; with --target-error). Default: color")
+         "What the image shows; depth is in proportion to the largest, shadow the share of the lights that "
+         "are not blocked, cost (rays) and samples in proportion to the most, error as estimated, in units "
+         "of a colour, with --target-error")
       ->type_name("NAME")
-      ->check([](const std::string& name) {
-        return viewNamed(name) ? std::string() : "there is no view " + name + ", allowed are " + kViewNames;
-      });
+      ->check(
+          [](const std::string& name) {
+            return viewNamed(name) ? std::string()
+                                   : "there is no view " + name + ", allowed are " + kViewNames;
+          },
+          kViewNames)
+      ->default_str("color");
 }
 
 void addSceneOptions(CLI::App& app, Options& options) {
-  app.add_option("--max-depth", options.maxDepth, "Mirror bounces, 0 to 1000")
+  app.add_option("--max-depth", options.maxDepth, "Mirror bounces")
       ->type_name("N")
       ->check(integerFrom(0, 1000))
       ->capture_default_str();

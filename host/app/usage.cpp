@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/help.hpp"
 #include "core/errors.hpp"
 #include "core/limits.hpp"
 #include "core/numbers.hpp"
@@ -77,9 +78,16 @@ CLI::Validator integerFrom(std::int64_t least) {
 }
 
 bool parseCommandLine(CLI::App& app, int argc, const char* const* argv) {
+  app.set_help_all_flag("--help-table")->group("");
   try {
     app.parse(argc, argv);
     return true;
+  } catch (const CLI::CallForHelp&) {
+    std::cout << helpText(app);
+    return false;
+  } catch (const CLI::CallForAllHelp&) {
+    std::cout << helpTable(app);
+    return false;
   } catch (const CLI::Success& success) {
     app.exit(success, std::cout, std::cerr);
     return false;

@@ -17,6 +17,7 @@ enum class Sampler {
   kRandom,  // independent random numbers; for comparison
 };
 
+inline constexpr const char* kSamplerNames = "sobol, random";
 inline const char* samplerName(Sampler sampler) {
   return sampler == Sampler::kSobol ? "sobol" : "random";
 }

@@ -1,31 +1,5 @@
 # Bash completion of lavaray, lavaray-diff and lavaray-merge. It has no list of the options: these, and what goes with
-# them, it takes from what the program's --help prints, and the names that an option takes from the message about a
-# wrong one.
-
-# Reads the help; prints a line for each option and argument: its names, the first word of what it takes (- is
-# nothing), and all of the help's lines about it.
-_lavaray_entries() {
-  awk '
-    function finish() { if (entry != "") print entry; entry = "" }
-    /^  [^ ]/ {
-      finish()
-      takes = /^  [^ ]+ [A-Z]/ && $2 !~ /^(Needs:|Excludes:|REQUIRED)/ ? $2 : "-"
-      sub(/[:=].*/, "", takes)
-      entry = $1 " " takes " " $0
-      next
-    }
-    /^   / { entry = entry " " $0; next }
-    { finish() }
-    END { finish() }'
-}
-
-# _lavaray_names PROGRAM OPTION: the names that the option takes.
-_lavaray_names() {
-  local message list='(allowed are |not in \{)([^;}]*)'
-  # Without a scene: whatever the option takes, nothing is rendered.
-  message=$("$1" "$2" '?' 2>&1 </dev/null)
-  [[ $message =~ $list ]] && tr -s ', ' '\n' <<<"${BASH_REMATCH[2]}"
-}
+# them, it takes from what the program's --help-table prints (host/app/help.hpp has the form).
 
 # _lavaray_endings NAMES TEXT: the endings of the files that an option or argument takes: those that its text has, or
 # else what such files are usually called.
@@ -57,30 +31,31 @@ _lavaray_files() {
 
 _lavaray() {
   local program=${COMP_WORDS[0]/#\~\//$HOME/} word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]}
-  local entries names takes text options= arguments= value= endings= replies=
+  local kind names takes allowed text options= arguments= value= choices= endings= replies=
   # Bash takes `--option=word` apart.
   if [ "$word" = = ]; then
     word=
   elif [ "$option" = = ]; then
     option=${COMP_WORDS[COMP_CWORD - 2]}
   fi
-  entries=$("$program" --help 2>/dev/null </dev/null | _lavaray_entries)
-  while read -r names takes text; do
-    if [[ $names != -* ]]; then
+  while IFS=$'\t' read -r kind names takes allowed text; do
+    if [ "$kind" = argument ]; then
       arguments+=" $(_lavaray_endings "$names" "$text")"
       continue
     fi
-    options+=" ${names//,/ }"
-    if [[ ,$names, == *,"$option",* && $takes != - ]]; then
+    [ "$kind" = option ] || continue
+    options+=" ${names//,/}"
+    if [[ " $names," == *" $option,"* && $takes != - ]]; then
       value=$takes
+      choices=${allowed//,/}
       endings=$(_lavaray_endings "$names" "$text")
     fi
-  done <<<"$entries"
+  done < <("$program" --help-table 2>/dev/null </dev/null)
 
   local unquoted=${word#[\"\']}
   unquoted=${unquoted//\\/}
   case $value:$word in
-    NAME:*) replies=$(compgen -W "$(_lavaray_names "$program" "$option")" -- "$word") ;;
+    NAME:*) replies=$(compgen -W "$choices" -- "$word") ;;
     FILE:*) replies=$(_lavaray_files "$unquoted" $endings) ;;
     DIR:*) replies=$(compgen -d -- "$unquoted") ;;
     ?*:*) ;;
