@@ -13,11 +13,11 @@
 #include "shaderc/shader_sources.hpp"
 
 // What the start of the program would have called for glslang's static objects (see CMakeLists.txt). The
-// linker makes these two names of the section's.
+// linker makes these two names of the section's, and leaves them null where there is none.
 using Initializer = void (*)();
 extern "C" {
-[[gnu::visibility("hidden")]] extern const Initializer __start_lavaray_glslang_start[];
-[[gnu::visibility("hidden")]] extern const Initializer __stop_lavaray_glslang_start[];
+[[gnu::weak, gnu::visibility("hidden")]] extern const Initializer __start_lavaray_glslang_start[];
+[[gnu::weak, gnu::visibility("hidden")]] extern const Initializer __stop_lavaray_glslang_start[];
 }
 
 namespace lavaray {

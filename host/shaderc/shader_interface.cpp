@@ -4,8 +4,6 @@
 #include <array>
 #include <tuple>
 
-#include <glslang/SPIRV/doc.h>
-
 #include "core/place.hpp"
 #include "interface.h"
 #include "shaderc/spirv_module.hpp"
@@ -44,8 +42,7 @@ class Comparison {
     for (const spv::Capability capability : optimized_.capabilities) {
       if (std::ranges::find(kCapabilities, capability) == kCapabilities.end())
         misfits_.push_back({{},
-                            "the shader needs the SPIR-V capability " +
-                                std::string(spv::CapabilityString(capability)) +
+                            "the shader needs the SPIR-V capability " + capabilityName(capability) +
                                 ", which the program does not enable"});
     }
     return std::move(misfits_);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <spirv-tools/libspirv.hpp>
+
 namespace lavaray {
 namespace {
 
@@ -113,6 +115,20 @@ SpirvModule readSpirv(std::span<const std::uint32_t> words) {
     at += count;
   }
   return module;
+}
+
+std::string capabilityName(spv::Capability capability) {
+  // The disassembler knows the names, and is all that has them in every version of the libraries.
+  constexpr std::uint32_t kVersion = 0x00010500;
+  constexpr std::uint32_t kWords = 2;
+  const std::vector<std::uint32_t> module{
+      spv::MagicNumber, kVersion, 0, 1, 0, kWords << spv::WordCountShift | spv::OpCapability, capability};
+  const std::string before = "OpCapability ";
+  std::string text;
+  const spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+  if (!tools.Disassemble(module, &text, SPV_BINARY_TO_TEXT_OPTION_NO_HEADER) || !text.starts_with(before))
+    return std::to_string(capability);
+  return text.substr(before.size(), text.find('\n') - before.size());
 }
 
 }  // namespace lavaray

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <glslang/SPIRV/spirv.hpp>
+#include <spirv/unified1/spirv.hpp>
 
 namespace lavaray {
 
@@ -47,5 +47,8 @@ struct SpirvModule {
 
 // Throws std::invalid_argument where these words are no module.
 SpirvModule readSpirv(std::span<const std::uint32_t> words);
+
+// As shaders' authors know it.
+std::string capabilityName(spv::Capability capability);
 
 }  // namespace lavaray
