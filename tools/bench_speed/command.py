@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
 
 DESCRIPTION = """\
-Measures lavaray's speed: rays, pictures and builds against Embree 3 in one process (the program bench-speed, which
+Measures lavaray's speed: rays, pictures and builds against Embree in one process (the program bench-speed, which
 this builds), specialized against general pipelines, and whole programs, from scene file to image file, against
 POV-Ray 3.7. Embree and POV-Ray are optional: what is missing is named. Prints tables and saves them with all times
 (JSON) and a plot of time against size (SVG).

@@ -4,7 +4,7 @@
 namespace lavaray::bench {
 
 std::string embreeDescription() {
-  return "missing: this program was built without Embree 3 (Debian's libembree-dev)";
+  return "missing: this program was built without Embree (Debian's libembree-dev)";
 }
 
 std::unique_ptr<Peer> openEmbree(const Scene&, unsigned) {

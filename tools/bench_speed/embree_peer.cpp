@@ -1,6 +1,3 @@
-// Embree 3: https://www.embree.org
-#include <embree3/rtcore.h>
-
 #include <array>
 #include <atomic>
 #include <limits>
@@ -10,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "core/parallel.hpp"
+#include "embree.hpp"
 #include "embree_picture.hpp"
 #include "peer.hpp"
 
@@ -117,17 +115,16 @@ class Embree : public Peer {
   }
 
   static float traceOne(RTCScene scene, const gpu::BatchRay& ray, bool anyHit) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    EmbreeTracer tracer;
     if (anyHit) {
       RTCRay query = makeRay(ray.origin, ray.direction, ray.tMax);
-      rtcOccluded1(scene, &context, &query);
+      tracer.occluded(scene, &query);
       return query.tfar < 0.0F ? 0.0F : kMiss;
     }
     RTCRayHit query;
     query.ray = makeRay(ray.origin, ray.direction, ray.tMax);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &context, &query);
+    tracer.intersect(scene, &query);
     return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kMiss : query.ray.tfar;
   }
 
@@ -151,10 +148,7 @@ class Embree : public Peer {
 
   static void tracePacket(RTCScene scene, const Batch& batch, std::size_t first, std::size_t count,
                           std::span<float> distances) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    // What is the faster way for these rays; it makes no difference to single ones.
-    if (batch.isCoherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    EmbreeTracer tracer(batch.isCoherent);
     alignas(32) int valid[8];
     if (batch.anyHit) {
       RTCRay8 packet;
@@ -162,7 +156,7 @@ class Embree : public Peer {
         valid[lane] = lane < count ? -1 : 0;
         fillLane(packet, static_cast<int>(lane), batch.rays[first + std::min(lane, count - 1)]);
       }
-      rtcOccluded8(valid, scene, &context, &packet);
+      tracer.occluded(valid, scene, &packet);
       for (std::size_t lane = 0; lane < count; ++lane) {
         distances[first + lane] = packet.tfar[lane] < 0.0F ? 0.0F : kMiss;
       }
@@ -174,7 +168,7 @@ class Embree : public Peer {
       fillLane(packet.ray, static_cast<int>(lane), batch.rays[first + std::min(lane, count - 1)]);
       packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect8(valid, scene, &context, &packet);
+    tracer.intersect(valid, scene, &packet);
     for (std::size_t lane = 0; lane < count; ++lane) {
       distances[first + lane] =
           packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID ? kMiss : packet.ray.tfar[lane];

@@ -42,7 +42,6 @@ class Picture {
     // All shapes of a benchmark's scene have the same material.
     const Material& m = scene.materials.front();
     material_ = {m.ambient, m.diffuse, m.specular, static_cast<float>(m.shininess)};
-    rtcInitIntersectContext(&context_);
   }
 
   glm::vec3 pixel(int x, int y) {
@@ -52,7 +51,7 @@ class Picture {
     RTCRayHit query;
     query.ray = makeRay(glm::vec3(0.0F), direction, std::numeric_limits<float>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree_, &context_, &query);
+    tracer_.intersect(embree_, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return glm::vec3(0.0F);
     const glm::vec3 side = glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
     const glm::vec3 normal = glm::dot(side, direction) > 0.0F ? -side : side;
@@ -70,7 +69,7 @@ class Picture {
       const float cosine = glm::dot(toLight, normal);
       const glm::vec3 origin = position + (cosine < 0.0F ? -offset : offset) * normal;
       RTCRay shadow = makeRay(origin, light.position - origin, 1.0F - 1e-6F);
-      rtcOccluded1(embree_, &context_, &shadow);
+      tracer_.occluded(embree_, &shadow);
       if (shadow.tfar < 0.0F) continue;
       color += light.ambient * material_.ambient;
       if (cosine <= 0.0F) continue;
@@ -88,7 +87,7 @@ class Picture {
   float focalLength_;
   std::vector<FloatLight> lights_;
   FloatMaterial material_;
-  RTCIntersectContext context_;
+  EmbreeTracer tracer_;
 };
 
 }  // namespace

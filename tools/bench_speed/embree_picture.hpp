@@ -1,11 +1,10 @@
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <span>
 
 #include "core/camera.hpp"
 #include "core/scene.hpp"
+#include "embree.hpp"
 
 namespace lavaray::bench {
 

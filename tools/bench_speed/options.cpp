@@ -17,7 +17,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   bool quick = false;
   std::vector<int> size;
   CLI::App app(
-      "Measures the time that lavaray and Embree 3 take for the same rays, for pictures and for building.",
+      "Measures the time that lavaray and Embree take for the same rays, for pictures and for building.",
       "bench-speed");
   app.add_option("--meshes", options.scenes, "Scenes to measure, with commas between them. Default: all")
       ->type_name("A,B,..")
