@@ -1,7 +1,9 @@
 # Why there is no device: the messages, with small drivers that fail in every way, loaded by the real Vulkan loader.
 # Loaders answer differently (Debian 12's gives up over any manifest that is no JSON), so there may be others than this
-# machine's: `tools/unpack-debian trixie FOLDER libvulkan1` makes the folder of one.
+# machine's, in folders that tools/unpack-drivers or tools/unpack-debian made.
+file(GLOB unpacked_loaders ${PROJECT_BINARY_DIR}/loaders/*)
 set(LAVARAY_LOADERS "" CACHE STRING "Folders of further Vulkan loaders, made by tools/unpack-debian")
+list(APPEND LAVARAY_LOADERS ${unpacked_loaders})
 
 find_package(VulkanHeaders REQUIRED)
 add_library(faulty_driver MODULE faulty_driver.cpp)
