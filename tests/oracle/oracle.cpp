@@ -31,8 +31,12 @@ struct PathPoint {
   std::vector<LightState> lights;
 };
 
+// What a shadow ray along an occluder's edge says.
+enum class Doubtful : std::uint8_t { kAsComputed, kIsBlocked, kIsVisible };
+
 struct Trace {
   Random* random = nullptr;  // for the directions to lights; null: lights are points
+  Doubtful doubtful = Doubtful::kAsComputed;
   dvec3 color{0.0};
   bool certain = true;
   std::vector<PathPoint> path;
@@ -50,8 +54,9 @@ class Tracer {
  public:
   Tracer(const Scene& scene, int maxDepth) : scene_(scene), geometry_(flatten(scene)), maxDepth_(maxDepth) {}
 
-  [[nodiscard]] Trace trace(const dvec3& direction, bool compareCoincident, Random* random = nullptr) const {
-    Trace result{random, {}, true, {}};
+  [[nodiscard]] Trace trace(const dvec3& direction, bool compareCoincident, Random* random = nullptr,
+                            Doubtful doubtful = Doubtful::kAsComputed) const {
+    Trace result{random, doubtful, {}, true, {}};
     result.color =
         radiance({dvec3(0.0), glm::normalize(direction)}, dvec3(1.0), 0, compareCoincident, result);
     return result;
@@ -102,7 +107,7 @@ class Tracer {
       const dvec3 center = light.position - scene_.camera.position;
       const bool sampled = trace.random != nullptr && light.radius > 0.0;
       const dvec3 seen = sampled ? pointOnLight(position, center, light.radius, *trace.random) : center;
-      color += lightTerm(light, seen, position, point, -ray.direction, material, trace.certain);
+      color += lightTerm(light, seen, position, point, -ray.direction, material, trace);
     }
     trace.path.push_back(std::move(point));
 
@@ -117,7 +122,8 @@ class Tracer {
   // The light's share of the point's colour, as if it were at `lightPosition`; adds to `point` what the light
   // is to it.
   dvec3 lightTerm(const Light& light, const dvec3& lightPosition, const dvec3& position, PathPoint& point,
-                  const dvec3& toViewer, const Material& material, bool& certain) const {
+                  const dvec3& toViewer, const Material& material, Trace& trace) const {
+    bool& certain = trace.certain;
     const dvec3 toLight = lightPosition - position;
     const double distance = glm::length(toLight);
     const double scale = magnitude(position) + magnitude(lightPosition);
@@ -128,7 +134,8 @@ class Tracer {
     }
     const Occlusion shadow = occlusion(geometry_, position, point.surface, lightPosition);
     certain = certain && shadow.certain;
-    if (shadow.blocked) {
+    const bool isOpen = shadow.certain || trace.doubtful == Doubtful::kAsComputed;
+    if (isOpen ? shadow.blocked : trace.doubtful == Doubtful::kIsBlocked) {
       point.lights.push_back(LightState::kBlocked);
       return dvec3(0.0);
     }
@@ -173,21 +180,35 @@ struct View {
 };
 
 Pixel renderCenter(const Tracer& tracer, const View& view, int x, int y, double offset) {
-  const auto traceAt = [&](double dx, double dy, bool compareCoincident) {
-    return tracer.trace(view.direction(x + 0.5 + dx, y + 0.5 + dy), compareCoincident);
+  const auto traceAt = [&](double dx, double dy, bool compareCoincident, Doubtful doubtful) {
+    return tracer.trace(view.direction(x + 0.5 + dx, y + 0.5 + dy), compareCoincident, nullptr, doubtful);
   };
-  const Trace center = traceAt(0.0, 0.0, true);
+  const Trace center = traceAt(0.0, 0.0, true, Doubtful::kAsComputed);
   Pixel pixel{glm::clamp(center.color, 0.0, 1.0), !center.certain, {}, {}};
   if (offset == 0.0) return pixel;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (dx == 0 && dy == 0) continue;
-      const Trace probe = traceAt(dx * offset, dy * offset, false);
-      pixel.uncertain = pixel.uncertain || !tracer.agree(center, probe);
-      pixel.alternatives.push_back(glm::clamp(probe.color, 0.0, 1.0));
+  // Calls `visit` with the ray through each of eight places around the centre until it returns false.
+  const auto visitAround = [&](double distance, Doubtful doubtful, const auto& visit) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        if (dx == 0 && dy == 0) continue;
+        if (!visit(traceAt(dx * distance, dy * distance, false, doubtful))) return;
+      }
+    }
+  };
+  visitAround(offset, Doubtful::kAsComputed, [&](const Trace& probe) {
+    pixel.uncertain = pixel.uncertain || !tracer.agree(center, probe);
+    return !pixel.uncertain;
+  });
+  if (!pixel.uncertain) return pixel;
+  // Closer and closer, down to what float32 rounds: at a horizon the colours of all these are different ones.
+  for (double distance = offset; distance > 1e-6; distance *= 0.1) {
+    for (const Doubtful doubtful : {Doubtful::kIsBlocked, Doubtful::kIsVisible}) {
+      visitAround(distance, doubtful, [&](const Trace& probe) {
+        pixel.alternatives.push_back(glm::clamp(probe.color, 0.0, 1.0));
+        return true;
+      });
     }
   }
-  if (!pixel.uncertain) pixel.alternatives.clear();
   return pixel;
 }
 

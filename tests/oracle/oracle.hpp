@@ -40,8 +40,9 @@ struct Options {
 struct Pixel {
   glm::dvec3 color{0.0};  // clamped to [0, 1], not truncated
   bool uncertain = false;
-  // Of an uncertain pixel, the colours that the eight rays around the centre saw: what a renderer shows that
-  // decides otherwise because it rounds the ray otherwise.
+  // Of an uncertain pixel, what a renderer shows that decides otherwise because it rounds otherwise: the
+  // colours that rays see at `probeOffset` around the centre and at tenths of it down to a millionth of a
+  // pixel, with the shadow rays along occluders' edges blocked, and with them open.
   std::vector<glm::dvec3> alternatives{};
   // Of each channel's mean; 0 for one sample, and where all samples are equal: an edge that all of them miss
   // does not show in it.
