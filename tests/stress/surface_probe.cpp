@@ -24,6 +24,12 @@ std::string nameOf(double size, double offset) {
   return "size " + shortNumber(size) + " at " + shortNumber(offset);
 }
 
+// Rays and answers are in the shaders' coordinates. Those are the scene's where it is not tiny as a whole
+// (frame.hpp), and with something this far away it is not.
+void keepFrame(Scene& scene) {
+  scene.lights.push_back({.position = {0, 0, 1}});
+}
+
 // `addSurface` adds one to the scene at the given centre.
 template <typename AddSurface>
 std::vector<SurfaceScene> scenesOfSizes(std::initializer_list<double> sizes, const AddSurface& addSurface) {
@@ -33,6 +39,7 @@ std::vector<SurfaceScene> scenesOfSizes(std::initializer_list<double> sizes, con
     for (const double offset : {0.0, 1.0, 1e3, 1e5}) {
       if (size < kSmallestSize * offset) continue;
       SurfaceScene scene{nameOf(size, offset), {}, size, offset};
+      keepFrame(scene.scene);
       for (int i = 0; i < kSurfaces; ++i) {
         const glm::dvec3 middle = offset * randomDirection(random);
         addSurface(scene.scene, rounded(middle + randomPoint(random, 2.0 * size)), size, random);
@@ -141,6 +148,7 @@ std::vector<SurfaceScene> planeScenes() {
   for (const double offset : {0.0, 1e-3, 1.0, 1e3, 1e5}) {
     const double size = offset == 0.0 ? 1.0 : offset;
     SurfaceScene scene{"plane at " + shortNumber(offset), {}, size, offset};
+    keepFrame(scene.scene);
     for (int i = 0; i < 8; ++i) {
       const glm::dvec3 normal = rounded(randomDirection(random));
       addPlane(scene.scene, normal, rounded(offset * randomDirection(random)));
