@@ -20,10 +20,15 @@ cd "$scratch"
 # are denormal, and a scene of such a size.
 sed 's/^\(amb\|dif\|spe\): .*/\1: 1e-39 1e-30 1e-20/' "$scenes/spheres.txt" >denormal-colours.txt
 sed -e 's/^\(dif\|spe\): .*/\1: 1e-20 1e-35 1e-10/' -e 's/^amb: .*/amb: 0 0 0/' "$scenes/lights.txt" >denormal-products.txt
+# The first line keeps the lights of a scene, its suns, where they are.
+keep='/^light/ { isLight = 1 } /^(camera|plane|sphere|triangle)/ { isLight = 0 } isLight { print; next }'
 scale='/^(pos|rad|v1|v2|v3):/ { $1 = $1; for (i = 2; i <= NF; ++i) $i *= s } { print }'
 for size in 1e-12 1e-25 1e-38; do
   awk -v s="$size" -v OFMT=%.9g -v CONVFMT=%.9g "$scale" "$scenes/spheres.txt" >"size-$size.txt"
   awk -v s="$size" -v OFMT=%.9g -v CONVFMT=%.9g "$scale" "$scenes/light-behind.txt" >"size-$size-light-behind.txt"
+  # Suns 10^38 times as far are too far for float32.
+  [ "$size" = 1e-38 ] ||
+    awk -v s="$size" -v OFMT=%.9g -v CONVFMT=%.9g "$keep $scale" "$scenes/spheres.txt" >"size-$size-suns.txt"
 done
 
 # A line is a render: a scene and options.

@@ -164,9 +164,11 @@ TEST(Flatten, EnlargesATinyScene) {
   EXPECT_EQ(flat.lights[0].radius, 0x1p-6F);
 
   Scene other = scene;
-  other.lights[0].position.y = 1e6;  // a sun
-  EXPECT_EQ(frameOf(other).scale, 1.0);
+  other.lights[0].position.y = 1e6;         // a sun
+  EXPECT_EQ(frameOf(other).scale, 0x1p31);  // which brings it to 2^50
   EXPECT_FALSE(sameGeometry(scene, other));
+  other.lights[0].position.y = 0x1p60;
+  EXPECT_EQ(frameOf(other).scale, 1.0);
 }
 
 TEST(Flatten, HoldsNoDenormalNumbers) {

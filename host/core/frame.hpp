@@ -6,10 +6,11 @@
 
 namespace lavaray {
 
-// The coordinates that the shaders compute in: the camera is the origin, and a scene whose every coordinate
-// is below 1 is enlarged by a power of two, so that its largest one is in [1, 2). That changes no digit of
-// what is computed, but keeps products of four lengths, which the test of spheres has, above the least number
-// that every device computes with.
+// The coordinates that the shaders compute in: the camera is the origin, and a scene whose spheres and
+// triangles have no coordinate of 1 or more is enlarged by a power of two, so that their largest one is in
+// [1, 2), or as far as its lights and planes are not too far away for that. That changes no digit of what is
+// computed, but keeps products of four lengths, which the test of spheres has, above the least number that
+// every device computes with.
 struct Frame {
   glm::dvec3 origin{0.0};
   double scale = 1.0;

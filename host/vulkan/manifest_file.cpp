@@ -17,10 +17,24 @@ namespace {
 
 using Json = nlohmann::json;
 
+// Real ones have less than a kilobyte; reading a megabyte takes no time yet.
+constexpr std::uintmax_t kMaxBytes = 1U << 20U;
+
 std::optional<std::string> readText(const std::string& file, std::string& problem) {
   std::error_code isNone;
   if (std::filesystem::is_directory(file, isNone)) {
     problem = ", which is a folder";
+    return std::nullopt;
+  }
+  // A pipe or a device may have no end.
+  std::error_code hasNoSize;
+  const std::uintmax_t size = std::filesystem::file_size(file, hasNoSize);
+  if (std::filesystem::exists(file, isNone) && !std::filesystem::is_regular_file(file, isNone)) {
+    problem = ", which is no regular file";
+    return std::nullopt;
+  }
+  if (!hasNoSize && size > kMaxBytes) {
+    problem = ", which is too large for a manifest";
     return std::nullopt;
   }
   errno = 0;

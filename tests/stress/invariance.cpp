@@ -75,6 +75,20 @@ TEST_P(AtAnyScale, TheImageHasTheSameBits) {
          " images scaled by 2^k, k = -300 to 20, differ in a bit");
 }
 
+// What is far beside a tiny scene, a sun, neither keeps it from being enlarged nor loses its own digits.
+TEST(BesideASun, ATinySceneHasTheSameBits) {
+  Scene scene = readNamed("spheres");
+  const ImageSize size = reducedSize(scene.camera, 100);
+  for (const double distance : {0x1p20, 0x1p40, 0x1p60}) {
+    scene.lights.front().position = scene.camera.position + distance * glm::dvec3(0.5, 0.75, 0.25);
+    const Image image = renderScene(scene, size).image;
+    for (const int exponent : {-10, -40, -60, -100, -300}) {
+      const Image tiny = renderScene(scaled(scene, std::ldexp(1.0, exponent)), size).image;
+      EXPECT_TRUE(sameBits(image.rgb, tiny.rgb)) << distance << " away, times 2^" << exponent;
+    }
+  }
+}
+
 double rmse(const std::vector<float>& a, const std::vector<float>& b) {
   double squares = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) squares += std::pow(double{a[i]} - double{b[i]}, 2.0);
