@@ -45,7 +45,6 @@ says() { echo "setup: missing are these packages, by their names in $1: $2"; }
 expect 0 '' "$scratch/all" build test
 expect 0 '' "$scratch/fedora-all" build test
 expect 0 '' "$scratch/arch-all" build test
-expect 0 '' "$scratch/few" # no purpose
 expect 1 "$(says Debian 'ninja-build')" "$scratch/few" build
 expect 1 "$(says Debian 'ninja-build python3 xdotool')" "$scratch/few" build test
 expect 1 "$(says Fedora 'ninja-build python3 xdotool')" "$scratch/fedora-few" build test
@@ -55,6 +54,8 @@ expect 1 "$(says 'Arch Linux' 'gcc glslang spirv-tools spirv-headers vulkan-head
   "$scratch/arch-no-compiler" build
 expect 2 'setup: unknown purpose tests, allowed are build, test, swiftshader, format, fuzz, package, package-test, slurm-test' \
   "$scratch/all" tests
+expect 2 'setup: unknown purpose without a name, allowed are build, test, swiftshader, format, fuzz, package, package-test, slurm-test' \
+  "$scratch/all"
 
 echo "$checks checks, $failures failures"
 [ "$failures" -eq 0 ]
