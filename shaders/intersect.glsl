@@ -27,8 +27,8 @@ struct RayConstants {
 // Moves the components round until `axis` is z.
 vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : v.yzx); }
 
-// A device may take a denormal number for zero; here each does. And its inverse may be infinite as that of zero is, while
-// the products that a box's sides make with it are not what they make with zero.
+// A device may take a denormal number for zero; here each does. The inverse of one may be infinite, too, but its axis
+// would bound the ray where that of zero does not.
 vec3 withoutDenormals(vec3 v) { return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kLeastNormal))); }
 
 RayConstants rayConstants(Ray ray) {
