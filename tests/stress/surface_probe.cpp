@@ -24,10 +24,10 @@ std::string nameOf(double size, double offset) {
   return "size " + shortNumber(size) + " at " + shortNumber(offset);
 }
 
-// Rays and answers are in the shaders' coordinates. Those are the scene's where it is not tiny as a whole
-// (frame.hpp), and with something this far away it is not.
+// Rays and answers are in the shaders' coordinates. Those are the scene's where it is not enlarged
+// (frame.hpp), and beside a light so far away it is not.
 void keepFrame(Scene& scene) {
-  scene.lights.push_back({.position = {0, 0, 1}});
+  scene.lights.push_back({.position = {0, 0, 0x1p50}});
 }
 
 // `addSurface` adds one to the scene at the given centre.
