@@ -8,7 +8,8 @@
 // `start` is as for traverse.
 // A plane is an object of its own, so it is compared by object. Returns false if the device ended the loops before the
 // search was over.
-bool findHit(const bool anyHit, Ray ray, uint skipped, uint start, inout Hit hit) {
+bool findHit(const bool anyHit, Ray given, uint skipped, uint start, inout Hit hit) {
+  const Ray ray = withoutDenormals(given);
   if (kFewPrimitives) {
     if (!testEach(ray, skipped, hit)) return false;
   } else if (kHasSpheres || kHasTriangles) {

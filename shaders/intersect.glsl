@@ -17,7 +17,7 @@ struct Ray {
 
 // What a traversal needs of its ray, computed once.
 struct RayConstants {
-  vec3 inverse;    // of the direction; +-infinity where that is zero or denormal
+  vec3 inverse;    // of the direction; +-infinity where that is zero
   bvec3 negative;  // whether the ray enters a box through its upper side, for each axis
   uint axis;       // of the direction's largest component: the ray's own z axis
   vec3 shear;      // the direction there, scaled by a power of two so that 1 <= |shear.z| < 2
@@ -27,13 +27,15 @@ struct RayConstants {
 // Moves the components round until `axis` is z.
 vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : v.yzx); }
 
-// A device may take a denormal number for zero; here each does. The inverse of one may be infinite, too, but its axis
-// would bound the ray where that of zero does not.
+// A device may take a denormal number for zero; here each does. In a direction its inverse is infinite, and so it
+// bounds the ray at sides that zero leaves open; in an origin it keeps such a ray out of a box that it touches.
 vec3 withoutDenormals(vec3 v) { return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kLeastNormal))); }
+Ray withoutDenormals(Ray ray) { return Ray(withoutDenormals(ray.origin), withoutDenormals(ray.direction)); }
 
+// The ray has no denormal numbers.
 RayConstants rayConstants(Ray ray) {
   RayConstants constants;
-  constants.inverse = 1.0 / withoutDenormals(ray.direction);
+  constants.inverse = 1.0 / ray.direction;
   constants.negative = lessThan(constants.inverse, vec3(0.0));
   const vec3 size = abs(ray.direction);
   constants.axis = size.z >= size.x && size.z >= size.y ? 2u : (size.y >= size.x ? 1u : 0u);

@@ -14,7 +14,7 @@ void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.rayCount) return;
   const ProbeRay probe = rays[index];
-  const Ray ray = Ray(probe.origin, probe.direction);
+  const Ray ray = withoutDenormals(Ray(probe.origin, probe.direction));
   Hit hit = missUpTo(probe.tMax);
   bool finished;
   if (constants.mode == kTraceClosest) {

@@ -35,5 +35,5 @@ void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.count) return;
   const ShapeQuery query = queries[index];
-  distances[index] = intersectShape(Ray(query.origin, query.direction), query);
+  distances[index] = intersectShape(withoutDenormals(Ray(query.origin, query.direction)), query);
 }
