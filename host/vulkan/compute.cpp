@@ -1,13 +1,11 @@
 #include "vulkan/compute.hpp"
 
-#include <array>
+#include <vector>
 
 namespace lavaray::vulkan {
 namespace {
 
-// What is done, for messages.
-constexpr const char* kBinding = "give the shader its data";
-constexpr const char* kPreparing = "prepare the shader for the device";
+constexpr const char* kBinding = "give the shader its data";  // for messages
 
 VkDescriptorType descriptorType(const Buffer& buffer) {
   return buffer.use() == BufferUse::kTexels ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
@@ -20,27 +18,16 @@ ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spir
                              std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
                              std::size_t pushConstantSize)
     : device_(&device) {
+  std::vector<VkDescriptorType> bindings;
+  for (const Buffer& buffer : buffers) bindings.push_back(descriptorType(buffer));
+  pipeline_ = device.pipelines().get({spirv, specialization, bindings, pushConstantSize});
   createSet(buffers);
-  createPipeline(spirv, specialization, pushConstantSize);
 }
 
 void ComputeShader::createSet(std::span<const Buffer> buffers) {
   const auto count = static_cast<std::uint32_t>(buffers.size());
-  std::vector<VkDescriptorSetLayoutBinding> bindings;
   std::vector<VkDescriptorPoolSize> sizes;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const VkDescriptorType type = descriptorType(buffers[i]);
-    bindings.push_back({i, type, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
-    sizes.push_back({type, 1});
-  }
-  VkDescriptorSetLayoutCreateInfo layoutInfo{};
-  layoutInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-  layoutInfo.bindingCount = count;
-  layoutInfo.pBindings = bindings.data();
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device_->get(), &layoutInfo, nullptr, &layout), kBinding);
-  setLayout_ = {device_->get(), layout};
-
+  for (const Buffer& buffer : buffers) sizes.push_back({descriptorType(buffer), 1});
   VkDescriptorPoolCreateInfo poolInfo{};
   poolInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
   poolInfo.maxSets = 1;
@@ -50,6 +37,7 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   check(vkCreateDescriptorPool(device_->get(), &poolInfo, nullptr, &pool), kBinding);
   pool_ = {device_->get(), pool};
 
+  const VkDescriptorSetLayout layout = pipeline_->setLayout();
   VkDescriptorSetAllocateInfo setInfo{};
   setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
   setInfo.descriptorPool = pool;
@@ -74,55 +62,13 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   vkUpdateDescriptorSets(device_->get(), count, writes.data(), 0, nullptr);
 }
 
-void ComputeShader::createPipeline(std::span<const std::uint32_t> spirv,
-                                   std::span<const std::uint32_t> specialization,
-                                   std::size_t pushConstantSize) {
-  const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0,
-                                  static_cast<std::uint32_t>(pushConstantSize)};
-  const VkDescriptorSetLayout setLayout = setLayout_.get();
-  VkPipelineLayoutCreateInfo layoutInfo{};
-  layoutInfo.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-  layoutInfo.setLayoutCount = 1;
-  layoutInfo.pSetLayouts = &setLayout;
-  layoutInfo.pushConstantRangeCount = pushConstantSize > 0 ? 1 : 0;
-  layoutInfo.pPushConstantRanges = &range;
-  VkPipelineLayout layout = VK_NULL_HANDLE;
-  check(vkCreatePipelineLayout(device_->get(), &layoutInfo, nullptr, &layout), kPreparing);
-  pipelineLayout_ = {device_->get(), layout};
-
-  VkShaderModuleCreateInfo moduleInfo{};
-  moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-  moduleInfo.codeSize = spirv.size_bytes();
-  moduleInfo.pCode = spirv.data();
-  VkShaderModule rawModule = VK_NULL_HANDLE;
-  check(vkCreateShaderModule(device_->get(), &moduleInfo, nullptr, &rawModule), kPreparing);
-  const Handle<VkShaderModule, &vkDestroyShaderModule> shaderModule(device_->get(), rawModule);
-
-  std::vector<VkSpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < specialization.size(); ++i) entries.push_back({i, i * 4, 4});
-  const VkSpecializationInfo specializationInfo{static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                                specialization.size_bytes(), specialization.data()};
-
-  VkComputePipelineCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = rawModule;
-  info.stage.pName = "main";
-  info.stage.pSpecializationInfo = &specializationInfo;
-  info.layout = layout;
-  VkPipeline pipeline = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device_->get(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), kPreparing);
-  pipeline_ = {device_->get(), pipeline};
-}
-
 void ComputeShader::dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants) {
   device_->submit([&](VkCommandBuffer commands) {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.get());
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelineLayout_.get(), 0, 1, &set_, 0,
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_->get());
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_->layout(), 0, 1, &set_, 0,
                             nullptr);
     if (!pushConstants.empty()) {
-      vkCmdPushConstants(commands, pipelineLayout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+      vkCmdPushConstants(commands, pipeline_->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
                          static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());
     }
     vkCmdDispatch(commands, groups, 1, 1);

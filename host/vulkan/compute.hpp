@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "vulkan/buffer.hpp"
 
@@ -22,15 +22,11 @@ class ComputeShader {
 
  private:
   void createSet(std::span<const Buffer> buffers);
-  void createPipeline(std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> specialization,
-                      std::size_t pushConstantSize);
 
   Device* device_;
-  Handle<VkDescriptorSetLayout, &vkDestroyDescriptorSetLayout> setLayout_;
+  std::shared_ptr<const Pipeline> pipeline_;
   Handle<VkDescriptorPool, &vkDestroyDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;  // freed with the pool
-  Handle<VkPipelineLayout, &vkDestroyPipelineLayout> pipelineLayout_;
-  Handle<VkPipeline, &vkDestroyPipeline> pipeline_;
 };
 
 }  // namespace lavaray::vulkan

@@ -70,10 +70,12 @@ Device::Device(const DeviceDescription& description) : description_(description)
   VkFence fence = VK_NULL_HANDLE;
   check(vkCreateFence(device_, &fenceInfo, nullptr, &fence), action);
   fence_ = {device_, fence};
+  pipelines_.emplace(device_);
 }
 
 Device::~Device() {
   // The handles below belong to the device and must go before it.
+  pipelines_.reset();
   fence_ = {};
   pool_ = {};
   vkDestroyDevice(device_, nullptr);

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "vulkan/handle.hpp"
 #include "vulkan/instance.hpp"
+#include "vulkan/pipeline.hpp"
 
 namespace lavaray::vulkan {
 
@@ -28,6 +30,8 @@ class Device {
   [[nodiscard]] const DeviceLimits& limits() const { return limits_; }
   [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
 
+  [[nodiscard]] Pipelines& pipelines() { return *pipelines_; }
+
   // Records commands by `record`, submits them and waits until they are done.
   void submit(const std::function<void(VkCommandBuffer)>& record);
 
@@ -40,6 +44,7 @@ class Device {
   Handle<VkCommandPool, &vkDestroyCommandPool> pool_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;  // freed with the pool
   Handle<VkFence, &vkDestroyFence> fence_;
+  std::optional<Pipelines> pipelines_;
 };
 
 }  // namespace lavaray::vulkan

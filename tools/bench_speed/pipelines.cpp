@@ -58,6 +58,7 @@ void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
       static_cast<std::uint64_t>(settings.size.width) * static_cast<std::uint64_t>(settings.size.height);
 
   const auto first = [&](const Pipeline& pipeline) {
+    device.pipelines().clear();
     Tracer tracer = makeTracer(device, pipeline, 1);
     trace(tracer, 1);
   };

@@ -1,0 +1,97 @@
+#include "vulkan/pipeline.hpp"
+
+#include <algorithm>
+
+namespace lavaray::vulkan {
+namespace {
+
+constexpr const char* kPreparing = "prepare the shader for the device";  // for messages
+
+// More than most batches of scenes need. Someone who edits a shader under --watch makes a new one each time, and one
+// is some megabytes.
+constexpr std::size_t kMostKept = 32;
+
+}  // namespace
+
+Pipeline::Pipeline(VkDevice device, const PipelineSource& source) {
+  createLayouts(device, source);
+
+  VkShaderModuleCreateInfo moduleInfo{};
+  moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+  moduleInfo.codeSize = source.spirv.size_bytes();
+  moduleInfo.pCode = source.spirv.data();
+  VkShaderModule rawModule = VK_NULL_HANDLE;
+  check(vkCreateShaderModule(device, &moduleInfo, nullptr, &rawModule), kPreparing);
+  const Handle<VkShaderModule, &vkDestroyShaderModule> shaderModule(device, rawModule);
+
+  std::vector<VkSpecializationMapEntry> entries;
+  for (std::uint32_t i = 0; i < source.specialization.size(); ++i) entries.push_back({i, i * 4, 4});
+  const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                            source.specialization.size_bytes(),
+                                            source.specialization.data()};
+
+  VkComputePipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  info.stage.module = rawModule;
+  info.stage.pName = "main";
+  info.stage.pSpecializationInfo = &specialization;
+  info.layout = layout();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), kPreparing);
+  pipeline_ = {device, pipeline};
+}
+
+void Pipeline::createLayouts(VkDevice device, const PipelineSource& source) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (std::uint32_t i = 0; i < source.bindings.size(); ++i) {
+    bindings.push_back({i, source.bindings[i], 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+  }
+  VkDescriptorSetLayoutCreateInfo setInfo{};
+  setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
+  setInfo.pBindings = bindings.data();
+  VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+  check(vkCreateDescriptorSetLayout(device, &setInfo, nullptr, &setLayout), kPreparing);
+  setLayout_ = {device, setLayout};
+
+  const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                  static_cast<std::uint32_t>(source.pushConstantSize)};
+  VkPipelineLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &setLayout;
+  info.pushConstantRangeCount = source.pushConstantSize > 0 ? 1 : 0;
+  info.pPushConstantRanges = &range;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  check(vkCreatePipelineLayout(device, &info, nullptr, &layout), kPreparing);
+  layout_ = {device, layout};
+}
+
+Pipelines::Kept::Kept(const PipelineSource& source)
+    : spirv(source.spirv.begin(), source.spirv.end()),
+      specialization(source.specialization.begin(), source.specialization.end()),
+      bindings(source.bindings.begin(), source.bindings.end()),
+      pushConstantSize(source.pushConstantSize) {}
+
+bool Pipelines::Kept::isOf(const PipelineSource& source) const {
+  return pushConstantSize == source.pushConstantSize &&
+         std::ranges::equal(specialization, source.specialization) &&
+         std::ranges::equal(bindings, source.bindings) && std::ranges::equal(spirv, source.spirv);
+}
+
+std::shared_ptr<const Pipeline> Pipelines::get(const PipelineSource& source) {
+  const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) { return kept.isOf(source); });
+  if (known != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, known);
+  } else {
+    Kept made(source);
+    made.pipeline = std::make_shared<const Pipeline>(device_, source);
+    kept_.push_front(std::move(made));
+    if (kept_.size() > kMostKept) kept_.pop_back();
+  }
+  return kept_.front().pipeline;
+}
+
+}  // namespace lavaray::vulkan
