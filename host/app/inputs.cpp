@@ -16,9 +16,7 @@ bool haveCommon(const Inputs::Files& a, const Inputs::Files& b) {
 
 }  // namespace
 
-Inputs::Inputs(const Options& options) : options_(options) {
-  if (!options.shaders.empty()) compiler_.emplace();
-}
+Inputs::Inputs(const Options& options, UserShader& shader) : options_(options), shader_(shader) {}
 
 bool Inputs::readScene(const Files& changed) {
   if (scene_ && !haveCommon(changed, sceneFiles_)) return false;
@@ -44,20 +42,7 @@ Mesh Inputs::readMesh(const fs::path& file) {
 }
 
 bool Inputs::compileShaders(const Files& changed) {
-  if (!compiler_) return false;
-  const bool forFewPrimitives = scene_ && hasFewPrimitives(*scene_);
-  if (forFewPrimitives != std::exchange(isForFewPrimitives_, forFewPrimitives)) shader_.clear();
-  if (!shader_.empty() && !haveCommon(changed, shaderFiles_)) return false;
-  try {
-    CompiledShader compiled = compiler_->compile(options_.shaders, forFewPrimitives);
-    warnings_.insert(warnings_.end(), compiled.warnings.begin(), compiled.warnings.end());
-    shader_ = std::move(compiled.spirv);
-    shaderFiles_ = std::move(compiled.files);
-  } catch (const ShaderError& error) {
-    shaderFiles_ = error.files();
-    throw;
-  }
-  return true;
+  return shader_.compile(changed, scene_ && hasFewPrimitives(*scene_), warnings_);
 }
 
 void Inputs::flatten() {
@@ -75,7 +60,7 @@ void Inputs::flatten() {
 
 Inputs::Files Inputs::files() const {
   Files all = sceneFiles_;
-  all.insert(all.end(), shaderFiles_.begin(), shaderFiles_.end());
+  all.insert(all.end(), shader_.files().begin(), shader_.files().end());
   return all;
 }
 

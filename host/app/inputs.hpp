@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/options.hpp"
+#include "app/user_shader.hpp"
 #include "core/flatten.hpp"
 #include "core/scene.hpp"
-#include "shaderc/isolated_compiler.hpp"
 
 namespace lavaray {
 
@@ -19,8 +19,8 @@ namespace lavaray {
 // file that has changed is made anew.
 class Inputs {
  public:
-  // With --shaders a process is forked, so no thread must be there yet.
-  explicit Inputs(const Options& options);
+  // Both must outlive it.
+  Inputs(const Options& options, UserShader& shader);
 
   using Files = std::vector<std::filesystem::path>;
 
@@ -33,13 +33,13 @@ class Inputs {
   void flatten();
 
   // Whether there is a scene, and the shader that is asked for.
-  [[nodiscard]] bool areComplete() const { return scene_ && (options_.shaders.empty() || !shader_.empty()); }
+  [[nodiscard]] bool areComplete() const { return scene_ && shader_.isComplete(); }
   // What was noticed since the last call, each `file:line: message`.
   std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
   [[nodiscard]] const Scene& scene() const { return *scene_; }
   [[nodiscard]] const GpuScene& gpuScene() const { return *gpuScene_; }
   // SPIR-V; empty where it is what the program was built with.
-  [[nodiscard]] std::span<const std::uint32_t> shader() const { return shader_; }
+  [[nodiscard]] std::span<const std::uint32_t> shader() const { return shader_.spirv(); }
   // All files that were read last, or tried to be.
   [[nodiscard]] Files files() const;
 
@@ -47,6 +47,7 @@ class Inputs {
   Mesh readMesh(const std::filesystem::path& file);
 
   const Options& options_;
+  UserShader& shader_;
   Files sceneFiles_;                         // the scene's and its meshes'
   std::set<std::filesystem::path> changed_;  // of them, those that were not read with success since
   std::optional<Scene> scene_;
@@ -54,10 +55,6 @@ class Inputs {
       flattened_;  // the scene that gpuScene_ was made from, where there was a newer one since
   std::optional<GpuScene> gpuScene_;
   std::vector<std::string> warnings_;
-  std::optional<IsolatedCompiler> compiler_;  // with --shaders
-  Files shaderFiles_;
-  std::vector<std::uint32_t> shader_;
-  bool isForFewPrimitives_ = false;  // the shader
 };
 
 }  // namespace lavaray

@@ -4,7 +4,8 @@
 #include "app/options.hpp"
 #include "app/program.hpp"
 #include "app/report.hpp"
-#include "app/session.hpp"
+#include "app/render_scenes.hpp"
+#include "app/watch_scene.hpp"
 #include "core/camera.hpp"
 #include "core/scene_reader.hpp"
 #include "image/output_file.hpp"
@@ -40,7 +41,7 @@ ExitCode run(const Options& options) {
     }
     return ExitCode::kSuccess;
   }
-  return Session(options).run();
+  return options.watch ? watchScene(options) : renderScene(options);
 }
 
 }  // namespace

@@ -1,63 +1,48 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <type_traits>
+#include <functional>
 
 #include "app/inputs.hpp"
-#include "app/open_device.hpp"
 #include "app/options.hpp"
 #include "app/outputs.hpp"
-#include "app/progress.hpp"
+#include "app/render_context.hpp"
 #include "app/report.hpp"
-#include "app/window.hpp"
+#include "app/viewer.hpp"
 #include "core/errors.hpp"
 #include "render/renderer.hpp"
-#include "watch/folder_watcher.hpp"
 
 namespace lavaray {
 
-// Renders a scene to a picture as the options say: once, or with --watch again and again, with --display
-// before the user's eyes.
+// A scene, and a render of it to its files as the options say, or one after the other while the scene changes.
 class Session {
  public:
-  explicit Session(const Options& options);
+  // Both must outlive it.
+  Session(const Options& options, RenderContext& context);
 
-  // Returns when there is nothing left to do: the picture is written, and the user has closed the window or
-  // interrupted the watching.
-  ExitCode run();
+  // Asked during a render. Where it returns true the picture is of the past: the render ends, and nothing is
+  // written.
+  using IsOutdated = std::function<bool()>;
+  // Renders the scene that the inputs have read, and writes its files.
+  ExitCode renderAndWrite(const IsOutdated& isOutdated = [] { return false; });
+  void printWarnings();  // of the inputs
 
- private:
-  using Files = Inputs::Files;
-
-  ExitCode renderOnce();
-  ExitCode watch();
-  template <typename Work>
-  std::optional<std::invoke_result_t<Work>> attempt(const Work& work);
-  bool readChanged(const Files& changed);
-  void printWarnings();
-  Files waitForChanges();
-  void showUntilClosed();
-
-  ExitCode renderAndWrite();
-  void writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
-                    const Identity& identity, Outputs& outputs);
-  void openWindow(const ImageSize& size);
-  bool proceed(const Render& render);
-  void showInWindow(const Render& render, bool isFinished);
+  Inputs& inputs() { return inputs_; }
+  StepTimes& times() { return times_; }
+  Viewer& viewer() { return viewer_; }
+  // Whether the user has closed the window or interrupted the program.
   [[nodiscard]] bool isEnded() const;
 
+ private:
+  void writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
+                    const Identity& identity, Outputs& outputs);
+  bool proceed(const Render& render);
+
   const Options& options_;
-  Inputs inputs_;  // before the device, which is opened by another thread
-  FutureDevice device_;
-  Progress progress_;
+  FutureDevice& device_;
+  Progress& progress_;
+  Inputs inputs_;
   StepTimes times_;
-  std::optional<FolderWatcher> watcher_;  // with --watch
-  Files changed_;                         // while a render was under way, which they end
-  std::unique_ptr<Window> window_;
-  bool windowClosed_ = false;
-  bool windowFailed_ = false;
-  std::chrono::steady_clock::time_point lastShown_;
+  Viewer viewer_;
 };
 
 }  // namespace lavaray
