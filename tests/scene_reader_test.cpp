@@ -300,9 +300,17 @@ INSTANTIATE_TEST_SUITE_P(All, ReadSceneFails, testing::ValuesIn(kBadScenes),
                          [](const auto& test) { return test.param.name; });
 
 TEST(ReadScene, ErrorInsideAMeshIsAtItsLine) {
-  const auto mesh = writeFile("bad.obj", kObj + "f 1 2\n");
+  const auto mesh = writeFile("bad.obj", kObj + "f 1 x\n");
   const auto scene = writeFile("scene.txt", kStart + "mesh\nfile: bad.obj\n" + kMaterial);
-  expectMessage(inputError([&] { readScene(scene); }), mesh, 5, "2 corners");
+  expectMessage(inputError([&] { readScene(scene); }), mesh, 5, "\"x\" is not a corner");
+}
+
+TEST(ReadScene, WarningsOfAMeshAreTheScenesOnce) {
+  const auto mesh = writeFile("odd.obj", kObj + "f 1 2\n");
+  const std::string block = "mesh\nfile: odd.obj\n" + kMaterial;
+  const Scene scene = readScene(writeFile("scene.txt", "3\n" + kCamera + block + block));
+  ASSERT_EQ(scene.warnings.size(), 1U);
+  EXPECT_EQ(scene.warnings[0], mesh.string() + ":5: 1 face of one or two corners is dropped");
 }
 
 TEST(ReadScene, UnreadableFiles) {

@@ -38,23 +38,33 @@ bool isTooSmall(std::string_view literal) {
 
 }  // namespace
 
-double parseNumber(std::string_view word, const Place& place) {
+std::optional<double> parseDecimal(std::string_view word) {
   const std::string_view literal = withoutPlus(word);
   const char* const end = literal.data() + literal.size();
   double number = 0.0;
   const auto [stop, error] = std::from_chars(literal.data(), end, number);
-  if (stop != end || error == std::errc::invalid_argument) {
-    failAt(place, quoted(word) + " is not a number, allowed are decimal numbers such as 1, -0.5 or 2e3");
-  }
+  if (stop != end || error == std::errc::invalid_argument) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
     number = isTooSmall(literal) ? 0.0 : std::numeric_limits<double>::infinity();
   }
-  // The comparison is false for NaN.
-  if (!(std::abs(number) <= kMaxMagnitude)) {
-    const std::string limit = numberText(kMaxMagnitude);
-    failAt(place, quoted(word) + " is out of range, allowed are numbers from -" + limit + " to " + limit);
-  }
   return number;
+}
+
+std::string notANumber(std::string_view word) {
+  return quoted(word) + " is not a number, allowed are decimal numbers such as 1, -0.5 or 2e3";
+}
+
+std::string outOfRange(std::string_view word) {
+  const std::string limit = numberText(kMaxMagnitude);
+  return quoted(word) + " is out of range, allowed are numbers from -" + limit + " to " + limit;
+}
+
+double parseNumber(std::string_view word, const Place& place) {
+  const std::optional<double> number = parseDecimal(word);
+  if (!number) failAt(place, notANumber(word));
+  // The comparison is false for NaN.
+  if (!(std::abs(*number) <= kMaxMagnitude)) failAt(place, outOfRange(word));
+  return *number;
 }
 
 std::optional<int> parseInteger(std::string_view word) {

@@ -1,116 +1,148 @@
 #include "core/obj_part.hpp"
 
-#include <istream>
-#include <streambuf>
-#include <string>
+#include <algorithm>
+#include <initializer_list>
 #include <string_view>
 
-#include <tiny_obj_loader.h>
-
-#include "core/errors.hpp"
-#include "core/obj_statement.hpp"
+#include "core/limits.hpp"
+#include "core/obj_cursor.hpp"
 #include "core/place.hpp"
 #include "core/text_file.hpp"
+#include "core/vector.hpp"
 
 namespace lavaray {
 namespace {
 
-// Gives tinyobjloader the text line by line, each of them checked first. Its callbacks then run while the
-// line is the current one, which is how they come to know the line number.
-class LineSource : public std::streambuf {
+class PartReader {
  public:
-  LineSource(std::span<char> text, std::size_t linesBefore, const std::filesystem::path& file)
-      : text_(text), lines_({text.data(), text.size()}, linesBefore), file_(file) {}
+  PartReader(std::span<const char> text, ObjPart& part) : cursor_(text), part_(part) {}
 
-  [[nodiscard]] const ObjLine& checked() const { return checked_; }
-  [[nodiscard]] std::size_t lineNumber() const { return lines_.lineNumber(); }
-
- protected:
-  int_type underflow() override {
-    if (!lines_.next()) return traits_type::eof();
-    const std::string_view line = withoutComment(lines_.line());
-    checked_ = checkObjLine(line, {file_, lines_.lineNumber()});
-    char* const begin = text_.data() + (line.data() - text_.data());
-    char* const end = begin + line.size();
-    *end = '\n';  // in place of the line's own end or of its comment
-    setg(begin, begin, end + 1);
-    return traits_type::to_int_type(*begin);
+  // Returns how many lines there are.
+  std::size_t read(bool isFirst) {
+    if (isFirst) cursor_.skipByteOrderMark();
+    for (; !cursor_.isAtEnd(); cursor_.skipLine()) {
+      line_ = cursor_.line();
+      if (cursor_.takeKeyword("v")) {
+        // x y z, then w or a colour or both: only x y z matter here.
+        readPosition();
+      } else if (cursor_.takeKeyword("f")) {
+        readFace();
+      } else if (cursor_.takeKeyword("vn")) {
+        readNormal();
+      } else if (cursor_.takeKeyword("vt")) {
+        cursor_.skipWords();
+      }
+    }
+    return cursor_.line() - 1;
   }
 
  private:
-  std::span<char> text_;
-  Lines lines_;
-  const std::filesystem::path& file_;
-  ObjLine checked_;
-};
-
-struct Reading {
-  const LineSource& source;
-  ObjPart& part;
-};
-
-void addCorner(ObjPart& part, const std::array<int, 3>& indices) {
-  const std::array<std::size_t, 3> counts{part.positions.size(), part.texcoords, part.normals.size()};
-  ObjCorner corner{};
-  for (const ObjArray array : {kObjPosition, kObjTexcoord, kObjNormal}) {
-    const int index = indices[array];
-    if (index < 0) {
-      part.backReferences.push_back({part.faces.size() - 1, part.corners.size(), array, index});
-      corner[array] = static_cast<std::uint32_t>(counts[array]);
-    } else {
-      corner[array] = index == 0 ? kObjAbsent : static_cast<std::uint32_t>(index - 1);
-    }
+  void readPosition() {
+    const glm::dvec3 position = takeVector("v", {3, 4, 6, 7});
+    if (!isFinite(position)) part_.hasInfinitePositions = true;
+    part_.positions.push_back(position);
   }
-  part.corners.push_back(corner);
-}
 
-// The numbers of the current line. Those that tinyobjloader hands to its callbacks can be off by some units
-// in the last place, as it adds up decimal digits one by one.
-glm::dvec3 currentVector(const Reading& reading) {
-  const ObjLine& line = reading.source.checked();
-  return {line.numbers[0], line.numbers[1], line.numbers[2]};
-}
+  void readNormal() {
+    glm::dvec3 normal = takeVector("vn", {3});
+    if (!isFinite(normal)) normal = glm::dvec3(0.0);
+    if (normal == glm::dvec3(0.0)) part_.hasZeroNormals = true;
+    part_.normals.push_back(normal);
+  }
 
-tinyobj::callback_t callbacks() {
-  tinyobj::callback_t result;
-  result.vertex_cb = [](void* user, double, double, double, double) {
-    const auto& to = *static_cast<Reading*>(user);
-    to.part.positions.push_back(currentVector(to));
-  };
-  result.normal_cb = [](void* user, double, double, double) {
-    const auto& to = *static_cast<Reading*>(user);
-    to.part.normals.push_back(currentVector(to));
-  };
-  result.texcoord_cb = [](void* user, double, double, double) {
-    ++static_cast<Reading*>(user)->part.texcoords;
-  };
-  result.index_cb = [](void* user, tinyobj::index_t* indices, int count) {
-    const auto& to = *static_cast<Reading*>(user);
-    to.part.faces.push_back({to.part.corners.size(), to.source.lineNumber()});
-    for (const tinyobj::index_t& index : std::span(indices, static_cast<std::size_t>(count))) {
-      addCorner(to.part, {index.vertex_index, index.texcoord_index, index.normal_index});
+  // The first three numbers of the statement.
+  glm::dvec3 takeVector(std::string_view keyword, std::initializer_list<std::size_t> allowedCounts) {
+    glm::dvec3 result(0.0);
+    std::size_t count = 0;
+    for (; cursor_.findWord(); ++count) {
+      const double number = cursor_.takeNumber();
+      if (count < 3) result[static_cast<int>(count)] = number;
     }
-  };
-  return result;
-}
+    if (std::ranges::find(allowedCounts, count) == allowedCounts.end()) failCount(keyword, count, allowedCounts);
+    return result;
+  }
+
+  [[noreturn]] void failCount(std::string_view keyword, std::size_t count,
+                              std::initializer_list<std::size_t> allowedCounts) const {
+    std::string allowed;
+    for (const std::size_t number : allowedCounts) {
+      if (!allowed.empty()) allowed += number == *(allowedCounts.end() - 1) ? " or " : ", ";
+      allowed += std::to_string(number);
+    }
+    throw ObjProblem{line_, ticked(keyword) + " has " + std::to_string(count) + " numbers, allowed are " + allowed};
+  }
+
+  void readFace() {
+    std::size_t count = 0;
+    for (std::size_t line = line_; cursor_.findWord(); ++count) {
+      if (line != cursor_.line()) {
+        line = cursor_.line();
+        part_.continuations.push_back({part_.cornerPositions.size(), line});
+      }
+      const ObjCorner corner = cursor_.takeCorner();
+      if (count < kMaxFaceCorners) addCorner(corner);
+    }
+    if (count == 0 || count > kMaxFaceCorners) {
+      throw ObjProblem{line_, "a face of " + std::to_string(count) + " corners, allowed are 3 to " +
+                                  std::to_string(kMaxFaceCorners)};
+    }
+    addFace(static_cast<std::uint32_t>(count));
+  }
+
+  void addCorner(const ObjCorner& corner) {
+    if (corner.normal != kObjAbsent && part_.cornerNormals.empty())
+      part_.cornerNormals.resize(part_.cornerPositions.size(), kObjAbsent);
+    part_.cornerPositions.push_back(corner.position);
+    if (corner.normal != kObjAbsent || !part_.cornerNormals.empty())
+      part_.cornerNormals.push_back(corner.normal);
+  }
+
+  void addFace(std::uint32_t corners) {
+    if (!part_.faces.empty()) {
+      ObjFaces& last = part_.faces.back();
+      if (last.corners == corners && last.firstLine + last.count == line_ &&
+          last.positionsBefore == part_.positions.size() && last.normalsBefore == part_.normals.size()) {
+        ++last.count;
+        return;
+      }
+    }
+    part_.faces.push_back({corners, 1, line_, part_.positions.size(), part_.normals.size()});
+  }
+
+  ObjCursor cursor_;
+  ObjPart& part_;
+  std::size_t line_ = 0;  // that the statement begins in
+};
 
 }  // namespace
 
-ObjPart readObjPart(std::span<char> text, std::size_t linesBefore, const std::filesystem::path& file) {
-  ObjPart part;
-  part.linesBefore = linesBefore;
-  LineSource source(text, linesBefore, file);
-  Reading reading{source, part};
-  std::istream stream(&source);
-  stream.exceptions(std::ios::badbit);  // else it would swallow the errors thrown by the source
+void ObjPart::clear() {
+  positions.clear();
+  normals.clear();
+  cornerPositions.clear();
+  cornerNormals.clear();
+  faces.clear();
+  continuations.clear();
+  hasInfinitePositions = false;
+  hasZeroNormals = false;
+  lines = 0;
+  lineOfNul.reset();
+  error = nullptr;
+}
+
+void scanObjPart(std::span<const char> text, bool isFirst, ObjPart& part) {
+  part.clear();
+  const std::string_view content(text.data(), text.size());
+  if (const std::size_t nul = content.find('\0'); nul != std::string_view::npos) {
+    part.lineOfNul = countLines(content.substr(0, nul + 1));
+    return;
+  }
   try {
-    // Without a reader of materials no .mtl file is opened.
-    tinyobj::LoadObjWithCallback(stream, callbacks(), &reading, nullptr, nullptr, nullptr);
+    part.lines = PartReader(text, part).read(isFirst);
   } catch (...) {
     part.error = std::current_exception();
+    part.lines = countLines(content);
   }
-  part.lastLine = source.lineNumber();
-  return part;
 }
 
 }  // namespace lavaray

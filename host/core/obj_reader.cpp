@@ -2,172 +2,204 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <exception>
-#include <numeric>
+#include <mutex>
 #include <span>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
+#include "core/obj_faces.hpp"
 #include "core/obj_part.hpp"
 #include "core/parallel.hpp"
 #include "core/place.hpp"
+#include "core/text_blocks.hpp"
 #include "core/text_file.hpp"
-#include "core/triangulate.hpp"
+#include "core/vector.hpp"
 
 namespace lavaray {
 namespace {
 
-// Throws Error(kInput) at the face's line.
-[[noreturn]] void failOutOfRange(const Place& place, ObjArray array, long long index, std::size_t count) {
-  failAt(place, std::string(kObjArrayNames[array]) + " " + std::to_string(index) +
-                    " is out of range, there are " + std::to_string(count));
-}
+// The parts of a text, in its order.
+class PartsReader {
+ public:
+  PartsReader(ReadBytes read, std::size_t partBytes) : blocks_(std::move(read), partBytes) {}
 
-// Parts of about `bytes` each, which end where a line does.
-std::vector<std::span<char>> divide(std::string& text, std::size_t bytes) {
-  std::vector<std::span<char>> parts;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t lf = text.find('\n', std::min(text.size() - 1, begin + bytes - 1));
-    parts.push_back(std::span(text).subspan(begin, lf + 1 - begin));
-    begin = lf + 1;
-  }
-  return parts;
-}
-
-std::vector<ObjPart> readParts(const std::vector<std::span<char>>& texts, const std::filesystem::path& file) {
-  const unsigned threads = hardwareThreads();
-  // A part's lines are counted first, so that the others' messages have their line numbers.
-  std::vector<std::size_t> lines(texts.size());
-  parallelFor(texts.size(), threads, [&](std::size_t i) {
-    lines[i] = countLines({texts[i].data(), texts[i].size()});
-  });
-  std::exclusive_scan(lines.begin(), lines.end(), lines.begin(), std::size_t{0});
-  std::vector<ObjPart> parts(texts.size());
-  parallelFor(parts.size(), threads,
-              [&](std::size_t i) { parts[i] = readObjPart(texts[i], lines[i], file); });
-  return parts;
-}
-
-// Makes indices of the part's back references. `counts` is what the parts before it have of each array.
-void resolve(ObjPart& part, const std::array<std::size_t, 3>& counts, const std::filesystem::path& file) {
-  for (const ObjBackReference& reference : part.backReferences) {
-    std::uint32_t& index = part.corners[reference.corner][reference.array];
-    const std::size_t count = counts[reference.array] + index;
-    const long long resolved = static_cast<long long>(count) + reference.index;
-    if (resolved < 0) {
-      failOutOfRange({file, part.faces[reference.face].line}, reference.array, reference.index, count);
+  std::deque<ObjPart> read() {
+    readSome(true);  // a small file needs no threads
+    if (!blocks_.isAtEnd()) {
+      const unsigned threads = hardwareThreads();
+      parallelFor(threads, threads, [this](std::size_t) { readSome(false); });
     }
-    index = static_cast<std::uint32_t>(resolved);
+    if (error_) std::rethrow_exception(error_);
+    return std::move(parts_);
   }
-}
 
-// The whole file's positions and normals; the parts keep their faces, whose indices are now those of the
-// file. Throws what is wrong first in the file, as far as that can be known without looking at what an index
-// points at.
-std::array<std::size_t, 3> join(std::vector<ObjPart>& parts, const std::filesystem::path& file, Mesh& mesh) {
-  std::array<std::size_t, 3> counts{};
-  for (ObjPart& part : parts) {
-    resolve(part, counts, file);
-    if (part.error) std::rethrow_exception(part.error);
-    const std::vector<glm::dvec3> positions = std::exchange(part.positions, {});
-    const std::vector<glm::dvec3> normals = std::exchange(part.normals, {});
-    mesh.positions.insert(mesh.positions.end(), positions.begin(), positions.end());
-    mesh.normals.insert(mesh.normals.end(), normals.begin(), normals.end());
-    counts = {mesh.positions.size(), counts[kObjTexcoord] + part.texcoords, mesh.normals.size()};
+ private:
+  void readSome(bool onlyOne) {
+    try {
+      std::vector<char> buffer;
+      ObjPart part;
+      while (const auto block = blocks_.next(buffer)) {
+        scanObjPart(block->text, block->number == 0, part);
+        // What is kept is a copy, since that has no spare memory.
+        slot(block->number) = part;
+        if (onlyOne) return;
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      error_ = std::current_exception();
+    }
+  }
+
+  ObjPart& slot(std::size_t number) {
+    const std::scoped_lock lock(mutex_);
+    if (parts_.size() <= number) parts_.resize(number + 1);
+    return parts_[number];
+  }
+
+  TextBlocks blocks_;
+  std::mutex mutex_;
+  std::deque<ObjPart> parts_;  // whose elements stay where they are while it grows
+  std::exception_ptr error_;
+};
+
+std::vector<ObjCounts> countBefore(const std::deque<ObjPart>& parts) {
+  std::vector<ObjCounts> counts(1);
+  for (const ObjPart& part : parts) {
+    const ObjCounts& last = counts.back();
+    counts.push_back({last.lines + part.lines, last.positions + part.positions.size(),
+                      last.normals + part.normals.size(), last.triangles + countTriangles(part)});
   }
   return counts;
 }
 
-struct Triangles {
-  std::vector<MeshTriangle> triangles;
-  std::size_t degenerate = 0;
-  std::exception_ptr error;
-};
-
-void addFace(const Mesh& mesh, std::span<const ObjCorner> corners, Triangulator& triangulator,
-             std::vector<glm::dvec3>& polygon, Triangles& result) {
-  polygon.clear();
-  for (const ObjCorner& corner : corners) polygon.push_back(mesh.positions[corner[kObjPosition]]);
-  const bool hasNormals =
-      std::ranges::none_of(corners, [](const ObjCorner& corner) { return corner[kObjNormal] == kObjAbsent; });
-  const auto& triangles = triangulator.triangulate(polygon);
-  for (const auto& [a, b, c] : triangles) {
-    MeshTriangle triangle{
-        .positions = {corners[a][kObjPosition], corners[b][kObjPosition], corners[c][kObjPosition]}};
-    if (hasNormals)
-      triangle.normals = {corners[a][kObjNormal], corners[b][kObjNormal], corners[c][kObjNormal]};
-    result.triangles.push_back(triangle);
+// Throws what is wrong first in the file, as far as that can be known without looking at what an index points
+// at. But NUL bytes come before anything else, as they say that the file is no text.
+void failIfWrong(const std::deque<ObjPart>& parts, const std::vector<ObjCounts>& before,
+                 const std::filesystem::path& file) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].lineOfNul) failAtNulByte({file, before[i].lines + *parts[i].lineOfNul});
   }
-  result.degenerate += corners.size() - 2 - triangles.size();
+  const auto wrong = std::ranges::find_if(parts, [](const ObjPart& part) { return part.error != nullptr; });
+  if (wrong == parts.end()) return;
+  const auto last = static_cast<std::size_t>(wrong - parts.begin());
+  for (std::size_t i = 0; i <= last; ++i) checkBackReferences(parts[i], before[i], file);
+  try {
+    std::rethrow_exception(wrong->error);
+  } catch (const ObjProblem& problem) {
+    failAt({file, before[last].lines + problem.line}, problem.message);
+  }
 }
 
-Triangles trianglesOf(const ObjPart& part, const Mesh& mesh, const std::array<std::size_t, 3>& counts,
-                      const std::filesystem::path& file) {
-  Triangles result;
-  Triangulator triangulator;
-  std::vector<glm::dvec3> polygon;
-  result.triangles.reserve(part.faces.size());
-  try {
-    for (std::size_t i = 0; i < part.faces.size(); ++i) {
-      const ObjFace& face = part.faces[i];
-      const std::size_t end = i + 1 < part.faces.size() ? part.faces[i + 1].firstCorner : part.corners.size();
-      const std::span corners(part.corners.data() + face.firstCorner, end - face.firstCorner);
-      for (const ObjCorner& corner : corners) {
-        for (const ObjArray array : {kObjPosition, kObjTexcoord, kObjNormal}) {
-          if (corner[array] == kObjAbsent || corner[array] < counts[array]) continue;
-          failOutOfRange({file, face.line}, array, corner[array] + 1LL, counts[array]);
-        }
-      }
-      addFace(mesh, corners, triangulator, polygon, result);
+// The positions and normals, which the parts then have no more.
+ObjWhole join(std::deque<ObjPart>& parts, const ObjCounts& counts, const std::filesystem::path& file) {
+  ObjWhole whole;
+  whole.mesh.file = file;
+  whole.mesh.positions.reserve(counts.positions);
+  whole.mesh.normals.reserve(counts.normals);
+  for (ObjPart& part : parts) {
+    const std::vector<glm::dvec3> positions = std::move(part.positions);
+    const std::vector<glm::dvec3> normals = std::move(part.normals);
+    whole.mesh.positions.insert(whole.mesh.positions.end(), positions.begin(), positions.end());
+    whole.mesh.normals.insert(whole.mesh.normals.end(), normals.begin(), normals.end());
+    whole.hasInfinitePositions = whole.hasInfinitePositions || part.hasInfinitePositions;
+    whole.hasZeroNormals = whole.hasZeroNormals || part.hasZeroNormals;
+  }
+  return whole;
+}
+
+std::vector<ObjTriangles> addTriangles(std::deque<ObjPart>& parts, const std::vector<ObjCounts>& before,
+                                       ObjWhole& whole) {
+  std::vector<MeshTriangle> triangles(before.back().triangles);
+  std::vector<ObjTriangles> results(parts.size());
+  parallelFor(parts.size(), hardwareThreads(), [&](std::size_t i) {
+    const std::size_t most = before[i + 1].triangles - before[i].triangles;
+    results[i] =
+        makeTriangles(parts[i], before[i], whole, std::span(triangles).subspan(before[i].triangles, most));
+    parts[i] = {};
+  });
+  // Closes the gaps that degenerate triangles left.
+  auto end = triangles.begin();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (results[i].error) std::rethrow_exception(results[i].error);
+    const auto first = triangles.begin() + static_cast<std::ptrdiff_t>(before[i].triangles);
+    const auto last = first + static_cast<std::ptrdiff_t>(results[i].count);
+    end = first == end ? last : std::move(first, last, end);
+    whole.mesh.degenerateTriangles += results[i].degenerate;
+  }
+  triangles.erase(end, triangles.end());
+  whole.mesh.triangles = std::move(triangles);
+  return results;
+}
+
+std::string changeText(ObjChange change, const ObjChanges& changes) {
+  const bool isOne = changes.count == 1;
+  const std::string faces = std::to_string(changes.count) + (isOne ? " face" : " faces");
+  const std::string first = isOne ? "" : ", the first in this line";
+  if (change == kObjFaceDropped)
+    return faces + " of one or two corners " + (isOne ? "is" : "are") + " dropped" + first;
+  const std::string own = faces + (isOne ? " has its" : " have their") + " own normal" + first + ": ";
+  if (change == kObjNormalMissing) return own + "an index of a normal is 0 or out of range";
+  if (change == kObjNormalZero) return own + "a normal is zero or not finite";
+  return own + "only some corners have a normal";
+}
+
+void addWarnings(const std::vector<ObjTriangles>& parts, Mesh& mesh) {
+  for (const ObjChange change : {kObjFaceDropped, kObjNormalMissing, kObjNormalZero, kObjNormalsOnSome}) {
+    ObjChanges all;
+    for (const ObjTriangles& part : parts) {
+      if (all.count == 0) all.firstLine = part.changes[change].firstLine;
+      all.count += part.changes[change].count;
     }
-  } catch (...) {
-    result.error = std::current_exception();
-  }
-  return result;
-}
-
-void addTriangles(const std::vector<ObjPart>& parts, const std::array<std::size_t, 3>& counts,
-                  const std::filesystem::path& file, Mesh& mesh) {
-  std::vector<Triangles> results(parts.size());
-  parallelFor(parts.size(), hardwareThreads(),
-              [&](std::size_t i) { results[i] = trianglesOf(parts[i], mesh, counts, file); });
-  for (const Triangles& result : results) {
-    if (result.error) std::rethrow_exception(result.error);
-    mesh.triangles.insert(mesh.triangles.end(), result.triangles.begin(), result.triangles.end());
-    mesh.degenerateTriangles += result.degenerate;
+    if (all.count > 0)
+      mesh.warnings.push_back(messageAt({mesh.file, all.firstLine}, changeText(change, all)));
   }
 }
 
-std::string readText(const std::filesystem::path& file) {
-  try {
-    return readFile(file);
-  } catch (const std::system_error& error) {
-    throw UnreadableFile(ExitCode::kInput,
-                         printable(file.native()) + ": cannot be read: " + error.code().message());
+Mesh readMesh(const ReadBytes& read, const std::filesystem::path& file, std::size_t partBytes) {
+  std::deque<ObjPart> parts = PartsReader(read, partBytes).read();
+  const std::vector<ObjCounts> before = countBefore(parts);
+  failIfWrong(parts, before, file);
+  ObjWhole whole = join(parts, before.back(), file);
+  const std::vector<ObjTriangles> triangles = addTriangles(parts, before, whole);
+  Mesh mesh = std::move(whole.mesh);
+  if (mesh.triangles.empty()) {
+    const std::size_t lastLine = std::max<std::size_t>(before.back().lines, 1);
+    failAt({file, lastLine}, "no face with an area, allowed is a mesh of at least one");
   }
+  addWarnings(triangles, mesh);
+  // No face uses those that are not finite.
+  if (whole.hasInfinitePositions)
+    std::ranges::replace_if(mesh.positions, [](const glm::dvec3& p) { return !isFinite(p); }, glm::dvec3(0.0));
+  return mesh;
 }
 
 }  // namespace
 
 Mesh readObj(const std::filesystem::path& file) {
-  return parseObj(readText(file), file);
+  // Only what opening and reading throw: threads that cannot be had are no fault of the file.
+  const auto orUnreadable = [&](const auto& read) {
+    try {
+      return read();
+    } catch (const std::system_error& error) {
+      throw UnreadableFile(ExitCode::kInput,
+                           printable(file.native()) + ": cannot be read: " + error.code().message());
+    }
+  };
+  ByteReader reader = orUnreadable([&] { return ByteReader(file); });
+  return readMesh([&](std::span<char> bytes) { return orUnreadable([&] { return reader.read(bytes); }); }, file,
+                  kObjPartBytes);
 }
 
-Mesh parseObj(std::string text, const std::filesystem::path& file, std::size_t partBytes) {
-  rejectNulBytes(text, file);
-  if (!text.empty() && text.back() != '\n') text += '\n';
-  std::vector<ObjPart> parts = readParts(divide(text, partBytes), file);
-  Mesh mesh;
-  mesh.file = file;
-  const std::array<std::size_t, 3> counts = join(parts, file, mesh);
-  addTriangles(parts, counts, file, mesh);
-  if (mesh.triangles.empty()) {
-    const std::size_t lastLine = parts.empty() ? 1 : parts.back().lastLine;
-    failAt({file, lastLine}, "no face with an area, allowed is a mesh of at least one");
-  }
-  return mesh;
+Mesh parseObj(std::string_view text, const std::filesystem::path& file, std::size_t partBytes) {
+  const auto read = [&text](std::span<char> bytes) {
+    const std::size_t count = text.copy(bytes.data(), bytes.size());
+    text.remove_prefix(count);
+    return count;
+  };
+  return readMesh(read, file, partBytes);
 }
 
 }  // namespace lavaray

@@ -64,9 +64,10 @@ struct MeshTriangle {
 struct Mesh {
   std::filesystem::path file;
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;  // as in the file: any length, zero included
+  std::vector<glm::dvec3> normals;  // of any length; those of triangles are not zero
   std::vector<MeshTriangle> triangles;
   std::size_t degenerateTriangles = 0;  // without area, dropped
+  std::vector<std::string> warnings;    // each `file:line: message`
   bool operator==(const Mesh&) const = default;
 };
 

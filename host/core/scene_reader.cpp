@@ -186,6 +186,8 @@ std::size_t SceneReader::meshIndex(const std::filesystem::path& meshFile, const 
   if (!isNew) return entry->second;
   try {
     scene_.meshes.push_back(readMesh_(meshFile));
+    const auto& warnings = scene_.meshes.back().warnings;
+    scene_.warnings.insert(scene_.warnings.end(), warnings.begin(), warnings.end());
   } catch (const UnreadableFile& error) {
     failAt(place, error.what());
   }

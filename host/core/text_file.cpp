@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <system_error>
-
-#include "core/place.hpp"
 
 namespace lavaray {
 namespace {
@@ -20,13 +16,18 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 
-std::string readFile(const std::filesystem::path& file) {
-  struct Close {
-    void operator()(std::FILE* stream) const { std::fclose(stream); }
-  };
-  const std::unique_ptr<std::FILE, Close> stream(std::fopen(file.c_str(), "rb"));
-  if (!stream) throwSystemError();
+ByteReader::ByteReader(const std::filesystem::path& file) : stream_(std::fopen(file.c_str(), "rb")) {
+  if (!stream_) throwSystemError();
+}
 
+std::size_t ByteReader::read(std::span<char> bytes) {
+  const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stream_.get());
+  if (count < bytes.size() && std::ferror(stream_.get()) != 0) throwSystemError();
+  return count;
+}
+
+std::string readFile(const std::filesystem::path& file) {
+  ByteReader reader(file);
   // The size is a hint only: a pipe has none, and a folder is found out by the first read.
   std::error_code noSize;
   const std::uintmax_t size = std::filesystem::file_size(file, noSize);
@@ -36,9 +37,8 @@ std::string readFile(const std::filesystem::path& file) {
   std::size_t length = 0;
   for (;;) {
     text.resize(length + kChunk);
-    const std::size_t count = std::fread(text.data() + length, 1, kChunk, stream.get());
+    const std::size_t count = reader.read(std::span(text).subspan(length, kChunk));
     length += count;
-    if (count < kChunk && std::ferror(stream.get()) != 0) throwSystemError();
     if (count < kChunk) break;
   }
   text.resize(length);
@@ -49,8 +49,11 @@ void rejectNulBytes(std::string_view text, const std::filesystem::path& file) {
   const std::size_t position = text.find('\0');
   if (position == std::string_view::npos) return;
   // The byte is part of the last line of what precedes it and itself.
-  failAt({file, countLines(text.substr(0, position + 1))},
-         "a NUL byte, allowed is plain text in ASCII or UTF-8");
+  failAtNulByte({file, countLines(text.substr(0, position + 1))});
+}
+
+void failAtNulByte(const Place& place) {
+  failAt(place, "a NUL byte, allowed is plain text in ASCII or UTF-8");
 }
 
 Lines::Lines(std::string_view text, std::size_t linesBefore) : text_(text), number_(linesBefore) {

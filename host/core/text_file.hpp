@@ -1,17 +1,38 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "core/place.hpp"
+
 namespace lavaray {
+
+// Reads a file's bytes one after the other. Throws std::system_error with the system's reason where that
+// cannot be.
+class ByteReader {
+ public:
+  explicit ByteReader(const std::filesystem::path& file);
+  // How many bytes it filled: all, or those that were left.
+  std::size_t read(std::span<char> bytes);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
+  std::unique_ptr<std::FILE, Close> stream_;
+};
 
 // The bytes of a file. Throws std::system_error with the system's reason where it cannot be read.
 std::string readFile(const std::filesystem::path& file);
 
 // Throws Error(kInput) at the line of the first NUL byte. What has one is no text, or text in UTF-16.
 void rejectNulBytes(std::string_view text, const std::filesystem::path& file);
+[[noreturn]] void failAtNulByte(const Place& place);
 
 // Walks through the lines of a text, or of a part of it that `linesBefore` lines precede. A line ends with
 // LF, CR LF, a lone CR or the end of the text; a UTF-8 byte-order mark in front of the first is skipped.

@@ -12,6 +12,10 @@ inline double largestComponent(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+inline bool isFinite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 // v at unit length; the zero vector stays zero. Scaled by its largest component first, so that neither tiny
 // nor huge vectors lose their squared length.
 inline glm::dvec3 unitOrZero(const glm::dvec3& v) {
