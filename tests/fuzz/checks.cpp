@@ -53,6 +53,7 @@ void checkMesh(const Mesh& mesh) {
     for (const std::uint32_t normal : triangle.normals) {
       require(hasNormals == (normal != kNoNormal), "all corners have a normal, or none");
       require(!hasNormals || normal < mesh.normals.size(), "a triangle's normals exist");
+      require(!hasNormals || mesh.normals[normal] != glm::dvec3(0.0), "a triangle's normals are directions");
     }
   }
 }
@@ -202,14 +203,17 @@ void checkFlattened(const Scene& scene) {
 }
 
 void checkComplaint(const Error& error) {
-  const std::string_view message = error.what();
   require(error.exitCode() == ExitCode::kInput, "a complaint is about the input");
+  checkMessage(error.what());
+}
+
+void checkMessage(std::string_view message) {
   const std::size_t line = std::min(message.find(':'), message.size() - 1) + 1;
   const std::size_t end = std::min(message.find_first_not_of("0123456789", line), message.size());
   require(line > 1 && end > line && message[line] != '0' && message.substr(end).starts_with(": "),
-          "a complaint names a line of a file");
+          "a message names a line of a file");
   require(std::ranges::none_of(message, [](unsigned char c) { return c < 0x20 || c == 0x7F; }),
-          "a complaint can be printed");
+          "a message can be printed");
 }
 
 }  // namespace lavaray::fuzz

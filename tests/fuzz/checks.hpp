@@ -20,7 +20,8 @@ void checkScene(const Scene& scene);
 // numbers, and a hierarchy that holds every primitive once.
 void checkFlattened(const Scene& scene);
 
-// The reader's complaint names a line of a file, in one line that a terminal can print.
+// The reader's complaint, or a warning, names a line of a file, in one line that a terminal can print.
 void checkComplaint(const Error& error);
+void checkMessage(std::string_view message);
 
 }  // namespace lavaray::fuzz

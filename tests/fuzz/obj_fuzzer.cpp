@@ -1,4 +1,5 @@
-// Any text as an OBJ file: it is refused with a message or it is a mesh that can be rendered.
+// Any text as an OBJ file: it is refused with a message, or it is a mesh that can be rendered, the same as
+// tinyobjloader's where that reads the text rightly.
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -7,6 +8,7 @@
 
 #include "core/obj_reader.hpp"
 #include "fuzz/checks.hpp"
+#include "obj_peer.hpp"
 
 namespace {
 
@@ -14,7 +16,9 @@ namespace {
 std::pair<lavaray::Mesh, std::string> read(const std::string& text, std::size_t partBytes) {
   static const std::filesystem::path file = "mesh.obj";
   try {
-    return {lavaray::parseObj(text, file, partBytes), {}};
+    lavaray::Mesh mesh = lavaray::parseObj(text, file, partBytes);
+    for (const std::string& warning : mesh.warnings) lavaray::fuzz::checkMessage(warning);
+    return {std::move(mesh), {}};
   } catch (const lavaray::Error& error) {
     lavaray::fuzz::checkComplaint(error);
     return {{}, error.what()};
@@ -30,6 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto [joined, sameComplaint] = read(text, 24);
   fuzz::require(mesh == joined && complaint == sameComplaint, "parts change nothing");
   if (!complaint.empty()) return 0;
+  if (isPlainObj(text))
+    fuzz::require(differenceFromTinyobjloader(text, mesh).empty(), "tinyobjloader reads the same");
   Scene scene;
   scene.camera.focalLength = 10.0;
   scene.materials.resize(1);
