@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,12 +14,22 @@
 namespace lavaray {
 namespace {
 
-// The vector times the power of two that brings its largest component into [0.5, 1), so that products of two
-// components neither underflow nor overflow. The factor changes no digit.
-glm::dvec3 scaled(const glm::dvec3& v, double largest) {
-  const int exponent = std::ilogb(largest) + 1;
-  return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
-}
+// The power of two that brings a length > 0 into [0.5, 1), so that products of two such lengths neither
+// underflow nor overflow. It changes no digit. Two factors, as that of the least double is no double.
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(double length) {
+    const int exponent = -std::ilogb(length) - 1;
+    const int first = std::min(exponent, std::numeric_limits<double>::max_exponent - 1);
+    first_ = std::ldexp(1.0, first);
+    second_ = std::ldexp(1.0, exponent - first);
+  }
+  glm::dvec3 operator*(const glm::dvec3& v) const { return first_ * v * second_; }
+
+ private:
+  double first_;
+  double second_;
+};
 
 // Twice the signed area of the triangle, positive where it runs anticlockwise.
 double twiceArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
@@ -41,7 +52,7 @@ bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double largestAb = largestComponent(ab);
   const double largestAc = largestComponent(ac);
   if (largestAb == 0.0 || largestAc == 0.0) return false;
-  return glm::cross(scaled(ab, largestAb), scaled(ac, largestAc)) != zero;
+  return glm::cross(PowerOfTwo(largestAb) * ab, PowerOfTwo(largestAc) * ac) != zero;
 }
 
 // Ear clipping: G. H. Meisters, "Polygons Have Ears" (1975), with the bookkeeping of J. O'Rourke,
@@ -88,7 +99,8 @@ bool Triangulator::project(std::span<const glm::dvec3> polygon) {
     largest = std::max(largest, largestComponent(relative_[i]));
   }
   if (largest == 0.0) return false;
-  for (glm::dvec3& corner : relative_) corner = scaled(corner, largest);
+  const PowerOfTwo scale(largest);
+  for (glm::dvec3& corner : relative_) corner = scale * corner;
 
   // Twice the area as a vector: M. E. Newell's method, in I. E. Sutherland, R. F. Sproull, R. A. Schumacker,
   // "A Characterization of Ten Hidden-Surface Algorithms" (1974).
