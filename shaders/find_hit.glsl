@@ -8,16 +8,17 @@
 // `start` is as for traverse.
 // A plane is an object of its own, so it is compared by object. Returns false if the device ended the loops before the
 // search was over.
-bool findHit(const bool anyHit, Ray given, uint skipped, uint start, inout Hit hit) {
+bool findHit(const bool anyHit, Ray given, uint skipped, uint start, inout Hit hit, inout uint tests) {
   const Ray ray = withoutDenormals(given);
   if (kFewPrimitives) {
-    if (!testEach(ray, skipped, hit)) return false;
+    if (!testEach(ray, skipped, hit, tests)) return false;
   } else if (kHasSpheres || kHasTriangles) {
-    if (!traverse(anyHit, ray, skipped, start, hit)) return false;
+    if (!traverse(anyHit, ray, skipped, start, hit, tests)) return false;
   }
   uint i = 0u;
   for (; i < kPlaneCount && !(anyHit && hit.surface != kNoSurface); ++i) {
     if ((i | kPlaneBit) == skipped) continue;
+    if (kCountsTests) ++tests;
     const Plane plane = fetchPlane(i);
     const float t = intersectPlane(ray, plane.normal, plane.distance);
     if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && plane.object < hit.object)) {

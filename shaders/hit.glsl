@@ -4,6 +4,7 @@
 
 #include "intersect.glsl"
 #include "scene_data.glsl"
+#include "tests.glsl"
 
 // A surface is a primitive's index or a plane's with kPlaneBit.
 const uint kPlaneBit = 0x80000000u;
@@ -42,7 +43,7 @@ void hitPrimitive(Ray ray, RayConstants constants, uint index, inout Hit hit) {
 // Tests each primitive of a scene of few: spheres first, so that no test of the other kind is computed beside. Any hit
 // is as long a search as the nearest, since of a subgroup's rays one mostly has none. Returns false if the device ended
 // a loop.
-bool testEach(Ray ray, uint skipped, inout Hit hit) {
+bool testEach(Ray ray, uint skipped, inout Hit hit, inout uint tests) {
   const RayConstants constants = rayConstants(ray);
   uint i = 0u;
   for (; i < kFewSpheres; ++i) {
@@ -56,6 +57,7 @@ bool testEach(Ray ray, uint skipped, inout Hit hit) {
     const float t = intersectTriangle(ray, constants, primitive.a, primitive.b, primitive.c, weights);
     if (i != skipped) keepNearer(t, i, primitive, weights, hit);
   }
+  if (kCountsTests) tests += i - uint(skipped < i);
   return i == kFewSpheres + kFewTriangles;
 }
 

@@ -54,7 +54,7 @@ bool lightTerm(Light light, SurfacePoint point, uint surface, Material material,
     bool blocked = false;
     finished = true;
     if (showsAny && maxComponent(unblocked) > 0.0) {
-      finished = findShadow(point, surface, s.target, blocked);
+      finished = findShadow(point, surface, s.target, blocked, counts.tests);
       ++counts.shadow;
     } else {
       ++counts.skippedShadow;
@@ -72,7 +72,6 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
                      PathSettings settings, inout PathState state, inout RayCounts counts) {
   if (state.step == 0u) {
     if (kView != kViewShadow) state.color += weight * material.ambient;
-    if (kView == kViewCost) ++state.rays;
     state.step = 1u;
   }
   const vec3 toViewer = -unit(ray.direction);
@@ -87,12 +86,12 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
     vec3 term;
     // A sample that is white in all channels stays so: what is added is not negative.
     const bool showsAny = kView == kViewShadow || minComponent(state.color) < 1.0;
-    const uint shadowRays = counts.shadow;
+    const uint tests = counts.tests;
     if (!lightTerm(light, point, surface, material, toViewer, settings, use, directions, showsAny, counts, term)) {
       return false;
     }
     state.color += weight * term;
-    if (kView == kViewCost) state.rays += counts.shadow - shadowRays;
+    if (kCountsTests) state.tests += counts.tests - tests;
   }
   const bool finished = state.step > kLightCount;
   // The lights that are not blocked have been counted so far.

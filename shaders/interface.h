@@ -115,7 +115,7 @@ const uint kViewNormal = 1u;  // n / 2 + 1/2 for the shading normal n, on the si
 const uint kViewDepth = 2u;   // the distance from the camera, and 1; both 0 where nothing is hit
 const uint kViewObject = 3u;  // a colour for each object
 const uint kViewShadow = 4u;  // share of the lights that are not blocked
-const uint kViewCost = 5u;    // number of rays
+const uint kViewCost = 5u;    // nodes and primitives that the rays are tested against
 
 // An inner node of the BVH with the boxes of up to four children. On each axis the side s of a box lies at origin +
 // s 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in it. A child that
@@ -228,7 +228,7 @@ LAVARAY_SIZE(WorkResult, 16);
 
 // How far an unfinished work item has come: its finished samples with their sums, and of the one under way the
 // path's colour so far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i), and its
-// rays so far.
+// tests so far (see tests.glsl).
 struct WorkState {
   vec3 sum;
   uint taken;  // samples
@@ -236,7 +236,7 @@ struct WorkState {
   uint bounce;
   uint step;
   float squares;
-  uint rays;
+  uint tests;
   uint padding0;
 };
 LAVARAY_SIZE(WorkState, 48);

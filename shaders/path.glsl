@@ -19,11 +19,12 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
                    inout RayCounts counts, out bool ended) {
   ended = true;
   Hit hit = missUpTo(kInfinity);
-  if (!findHit(false, segment.ray, segment.skipped, segment.start, hit)) return false;
-  if (hit.surface == kNoSurface) {
-    if (kView == kViewCost) ++state.rays;
-    return true;
-  }
+  uint tests = 0u;
+  if (!findHit(false, segment.ray, segment.skipped, segment.start, hit, tests)) return false;
+  // Where the path is traced again, they have been added already.
+  const bool isNew = !kResumable || (bounce == state.bounce && state.step == 0u);
+  if (kCountsTests && isNew) state.tests += tests;
+  if (hit.surface == kNoSurface) return true;
   const SurfacePoint point = surfacePoint(segment.ray, hit);
   if (kViewsSurface) {
     state.color = viewedSurface(segment.ray, hit, point);

@@ -12,13 +12,14 @@ struct PathState {
   vec3 color;
   uint bounce;
   uint step;  // of that bounce: 0 is the ambient colour, i + 1 is light i
-  uint rays;  // so far; counted where the view is of them
+  uint tests;  // so far, see tests.glsl
 };
 
 struct RayCounts {
   uint shadow;
   uint mirror;
   uint skippedShadow;
+  uint tests;  // of shadow rays, see tests.glsl
 };
 
 // The sequences of a path by number: that of the position in the pixel, and from the other on one for each light at

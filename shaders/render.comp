@@ -45,13 +45,13 @@ uint startGroup(uvec2 pixelInCrop) {
 
 // Takes the sample that the state is at. Returns false where it could not be finished.
 bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
-  PathState path = PathState(state.color, state.bounce, state.step, state.rays);
+  PathState path = PathState(state.color, state.bounce, state.step, state.tests);
   const uint pixelSeed = hashCombine(seed, kUseOfPixel);
   const PathSettings settings = PathSettings(constants.maxDepth, index, seed, shuffledPlace(index, pixelSeed));
   const bool finished = tracePath(sampleRay(pixel, settings.place, pixelSeed), start, settings, path, counts);
   if (finished) {
     vec3 color = path.color;
-    if (kView == kViewCost) color = vec3(path.rays);
+    if (kView == kViewCost) color = vec3(path.tests);
     if (kView != kViewCost && kView != kViewDepth) color = displayed(color);
     state.sum += color;
     state.squares += preciseDot(color, color) / 3.0;
@@ -61,7 +61,7 @@ bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState 
   state.color = path.color;
   state.bounce = path.bounce;
   state.step = path.step;
-  state.rays = path.rays;
+  state.tests = path.tests;
   return finished;
 }
 
@@ -105,7 +105,7 @@ void main() {
     if (constants.pass == kPassResumed) state = left;
   }
   const WorkState before = state;
-  RayCounts counts = RayCounts(0u, 0u, 0u);
+  RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
   const bool finished = takeSamples(workItem(index), state, counts);
   if (kCountRays) {
     atomicAdd(status.shadowRays, counts.shadow);

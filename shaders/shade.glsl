@@ -50,14 +50,14 @@ float shadowRayEnd(vec3 origin, vec3 light, vec3 direction) {
 
 // Sets `blocked` to whether a surface other than `surface` lies between its point and a point of the light.
 // Returns false if the device ended the search early.
-bool findShadow(SurfacePoint point, uint surface, vec3 light, out bool blocked) {
+bool findShadow(SurfacePoint point, uint surface, vec3 light, out bool blocked, inout uint tests) {
   blocked = false;
   const vec3 origin = leave(point, light - point.position);
   const Ray ray = Ray(origin, light - origin);
   const float end = shadowRayEnd(origin, light, ray.direction);
   if (!(end > 0.0)) return true;  // the light touches the surface: nothing fits between
   Hit hit = missUpTo(end);
-  const bool finished = findHit(true, ray, surface, kRootGroup, hit);
+  const bool finished = findHit(true, ray, surface, kRootGroup, hit, tests);
   blocked = hit.surface != kNoSurface;
   return finished;
 }

@@ -16,7 +16,7 @@ const uint kNoReference = 0xFFFFFFFFu;  // of a node or a leaf
 //
 // Each exit that a device may force is told from a search that is over: by a reference to an inner node, a leaf's
 // primitives that are left, and `over`.
-bool traverse(const bool anyHit, Ray ray, uint skipped, uint start, inout Hit hit) {
+bool traverse(const bool anyHit, Ray ray, uint skipped, uint start, inout Hit hit, inout uint tests) {
   const RayConstants constants = rayConstants(ray);
   GroupStack stack;
   for (uint i = 0u; i < kStackSize; ++i) stack.entries[i] = 0u;
@@ -43,6 +43,7 @@ bool traverse(const bool anyHit, Ray ray, uint skipped, uint start, inout Hit hi
         const uint node = isNode ? reference : 0u;
         const NodeGroup entered = sortedGroup(node, enterChildren(ray, constants, node, hit.t));
         if (isNode) group = entered;
+        if (kCountsTests && isNode) ++tests;
         ++steps;
       }
     } while (reference <= kMaxReference && steps < kMaxTraversalSteps);
@@ -51,6 +52,7 @@ bool traverse(const bool anyHit, Ray ray, uint skipped, uint start, inout Hit hi
     const uint end = over ? i : i + (reference >> kLeafShift);
     while (i < end) {
       if (i != skipped) hitPrimitive(ray, constants, i, hit);
+      if (kCountsTests && i != skipped) ++tests;
       ++i;
     }
     if (i < end) return false;

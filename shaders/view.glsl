@@ -5,8 +5,7 @@
 
 #include "random.glsl"
 #include "surface.glsl"
-
-layout(constant_id = kSpecView) const uint kView = kViewColor;
+#include "tests.glsl"
 
 // Whether the view is one of the surface alone, without lights.
 const bool kViewsSurface = kView == kViewNormal || kView == kViewDepth || kView == kViewObject;

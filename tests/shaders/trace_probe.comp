@@ -16,11 +16,12 @@ void main() {
   const ProbeRay probe = rays[index];
   const Ray ray = withoutDenormals(Ray(probe.origin, probe.direction));
   Hit hit = missUpTo(probe.tMax);
+  uint tests = 0u;
   bool finished;
   if (constants.mode == kTraceClosest) {
-    finished = traverse(false, ray, probe.skipped, kRootGroup, hit);
+    finished = traverse(false, ray, probe.skipped, kRootGroup, hit, tests);
   } else if (constants.mode == kTraceAny) {
-    finished = traverse(true, ray, probe.skipped, kRootGroup, hit);
+    finished = traverse(true, ray, probe.skipped, kRootGroup, hit, tests);
   } else {
     const RayConstants rayConstants = rayConstants(ray);
     uint i = 0u;

@@ -32,7 +32,8 @@ void main() {
   const uvec4 t1 = texelFetch(rayTexels, int(index * kTexelsPerBatchRay) + 1);
   const Ray ray = Ray(uintBitsToFloat(t0.xyz), uintBitsToFloat(t1.xyz));
   Hit hit = missUpTo(uintBitsToFloat(t0.w));
-  const bool finished = findHit(false, ray, t1.w, kRootGroup, hit);
+  uint tests = 0u;
+  const bool finished = findHit(false, ray, t1.w, kRootGroup, hit, tests);
   const bool isHit = finished && hit.surface != kNoSurface;
   const uint first = index * (1u + kLightCount);
   SurfacePoint point;

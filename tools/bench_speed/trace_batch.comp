@@ -27,7 +27,8 @@ void main() {
     return;
   }
   Hit hit = missUpTo(tMax);
-  const bool finished = findHit(kBatchMode == kBatchAny, ray, skipped, kRootGroup, hit);
+  uint tests = 0u;
+  const bool finished = findHit(kBatchMode == kBatchAny, ray, skipped, kRootGroup, hit, tests);
   const float nan = uintBitsToFloat(0x7FC00000u);
   distances[index] = !finished ? nan : (hit.surface == kNoSurface ? kInfinity : hit.t);
 }

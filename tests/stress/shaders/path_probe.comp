@@ -16,7 +16,7 @@ void main() {
   const vec2 pixel = vec2(index % constants.width, index / constants.width);
   const Ray ray = cameraRay(pixel + 0.5, 0.5 * vec2(constants.width, constants.height), constants.focalLength);
   PathState path = PathState(vec3(0.0), 0u, 0u, 0u);
-  RayCounts counts = RayCounts(0u, 0u, 0u);
+  RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
   const uint place = shuffledPlace(0u, hashCombine(index, kUseOfPixel));
   const PathSettings settings = PathSettings(constants.maxDepth, 0u, index, place);
   const bool finished = tracePath(ray, kRootGroup, settings, path, counts);

@@ -24,7 +24,8 @@ void main() {
   const SurfaceQuery query = queries[index];
   const Ray ray = Ray(query.origin, query.direction);
   Hit hit = missUpTo(kInfinity);
-  findHit(false, ray, kNoSurface, kRootGroup, hit);
+  uint tests = 0u;
+  findHit(false, ray, kNoSurface, kRootGroup, hit, tests);
   SurfaceAnswer answer;
   answer.surface = hit.surface;
   if (hit.surface != kNoSurface) {
@@ -40,10 +41,10 @@ void main() {
     answer.leaving = leaving.direction;
     Hit next = missUpTo(kInfinity);
     const uint skipped = query.skipsItself != 0u ? hit.surface : kNoSurface;
-    findHit(false, leaving, skipped, kRootGroup, next);
+    findHit(false, leaving, skipped, kRootGroup, next, tests);
     answer.hitsItself = next.surface == hit.surface ? 1u : 0u;
     bool blocked;
-    findShadow(point, hit.surface, query.light, blocked);
+    findShadow(point, hit.surface, query.light, blocked, tests);
     answer.blocked = blocked ? 1u : 0u;
   }
   answers[index] = answer;

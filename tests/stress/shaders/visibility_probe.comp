@@ -13,7 +13,8 @@ layout(push_constant) uniform PushConstants { SurfaceConstants constants; };
 // A point in space is a surface's that is known without error and is not in the scene.
 bool isBlocked(vec3 from, vec3 to) {
   bool blocked;
-  findShadow(SurfacePoint(from, 0.0, vec3(0.0), vec3(0.0)), kNoSurface, to, blocked);
+  uint tests = 0u;
+  findShadow(SurfacePoint(from, 0.0, vec3(0.0), vec3(0.0)), kNoSurface, to, blocked, tests);
   return blocked;
 }
 
