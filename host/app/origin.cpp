@@ -1,5 +1,6 @@
 #include "app/origin.hpp"
 
+#include <limits>
 #include <sstream>
 
 #include "app/version.hpp"
@@ -22,6 +23,15 @@ std::string describe(double number) {
 
 }  // namespace
 
+std::optional<std::string> describeScale(View view, const RenderStatistics& result) {
+  if (view != View::kCost) return std::nullopt;
+  if (result.largestMeasure <= 0.0) return "no ray tests a node or a primitive";
+  std::ostringstream text;
+  text.precision(std::numeric_limits<float>::max_digits10);  // so that it is the very number that values are parts of
+  text << "white is " << result.largestMeasure << " nodes and primitives tested for a sample";
+  return text.str();
+}
+
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
                            const RenderStatistics& result, const std::string& device, double seconds) {
   TextEntries entries = {
@@ -36,6 +46,7 @@ TextEntries describeOrigin(const Options& options, const RenderSettings& setting
   if (result.stopReason != StopReason::kFinished)
     entries.emplace_back("Stopped", stopReasonName(result.stopReason));
   if (options.view != View::kColor) entries.emplace_back("View", viewName(options.view));
+  if (const auto scale = describeScale(options.view, result)) entries.emplace_back("Scale", *scale);
   return entries;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/options.hpp"
@@ -7,6 +8,9 @@
 #include "render/renderer.hpp"
 
 namespace lavaray {
+
+// What white stands for, where the picture shows a cost. Once it has been taken from its render.
+std::optional<std::string> describeScale(View view, const RenderStatistics& result);
 
 // What a picture file says of how it came to be.
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings,

@@ -23,6 +23,8 @@ class Outputs {
   void writePicture(const Image& image, const TextEntries& origin);
   void writeFilm(const Render& render, const Identity& identity);
   [[nodiscard]] bool hasFilm() const { return hasFilm_; }
+  // Whether the picture's file is of numbers, to compute with, rather than for the eye.
+  [[nodiscard]] bool hasNumbers() const { return format_ == ImageFormat::kPfm; }
 
   // The statistics' stream, and after it the end of them; null where there are to be none.
   [[nodiscard]] std::FILE* json() const { return json_ ? json_->stream() : nullptr; }

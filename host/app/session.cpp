@@ -8,6 +8,7 @@
 #include "app/json_report.hpp"
 #include "app/origin.hpp"
 #include "app/usage.hpp"
+#include "image/false_color.hpp"
 
 namespace lavaray {
 namespace {
@@ -111,17 +112,21 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 void Session::writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
                            const Identity& identity, Outputs& outputs) {
   const vulkan::Device& device = device_.get().device;
+  Image image;
+  if (!outputs.hasFilm()) image = render.takeImage();
   const RenderStatistics statistics = render.statistics();
   if (outputs.hasFilm()) {
     outputs.writeFilm(render, identity);
   } else {
-    Image image = render.takeImage();
     if (options_.normalize) normalize(image);
     if (needsWhole(options_)) image = crop(image, part);
+    if (options_.view == View::kCost && !outputs.hasNumbers()) applyFalseColors(image);
     outputs.writePicture(
         image, describeOrigin(options_, settings, statistics, device.description().name, times_.seconds()));
   }
   times_.endStep("write image");
+  const std::optional<std::string> scale = describeScale(options_.view, statistics);
+  if (scale && !options_.quiet) std::cerr << viewName(options_.view) << ": " << *scale << '\n';
   if (options_.stats) {
     printStatistics(std::cerr, inputs_.scene(), inputs_.gpuScene(), device, statistics);
     times_.print(std::cerr);

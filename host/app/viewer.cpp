@@ -7,6 +7,7 @@
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "core/errors.hpp"
+#include "image/false_color.hpp"
 
 namespace lavaray {
 namespace {
@@ -62,6 +63,7 @@ void Viewer::show(const Render& render, bool isFinished) {
   }
   Image image = render.image();
   if (options_.normalize) normalize(image);
+  if (options_.view == View::kCost) applyFalseColors(image);
   window_->show(std::move(image), title.str());
   lastShown_ = Clock::now();
 }

@@ -4,11 +4,12 @@
 
 namespace lavaray {
 
-void normalize(Image& image) {
+float normalize(Image& image) {
   const auto largest = std::max_element(image.rgb.begin(), image.rgb.end());
-  if (largest == image.rgb.end() || *largest <= 0.0F) return;
+  if (largest == image.rgb.end() || *largest <= 0.0F) return 0.0F;
   const float scale = *largest;  // divided by, so that the largest becomes exactly 1
   for (float& value : image.rgb) value /= scale;
+  return scale;
 }
 
 Image crop(const Image& image, const Rectangle& part) {

@@ -11,8 +11,8 @@ struct Image {
   std::vector<float> rgb;
 };
 
-// Stretches the values so that the largest is 1; a black image stays black.
-void normalize(Image& image);
+// Stretches the values so that the largest is 1; a black image stays black. Returns what the largest was, or 0.
+float normalize(Image& image);
 
 struct Rectangle {
   int x0 = 0;  // pixels x0 <= x < x1, y0 <= y < y1, y from the top

@@ -51,7 +51,7 @@ class CenterSampling : public Sampling {
     float* value = &values_[3 * first];
     for (const gpu::WorkResult& result : results) {
       const glm::vec3 color =
-          isMeasure(view_) ? glm::vec3(static_cast<float>(measure(view_, result.sum))) : result.sum;
+          isMeasure(view_) ? glm::vec3(static_cast<float>(measure(view_, result.sum, 1))) : result.sum;
       value = std::copy_n(&color.x, 3, value);
     }
     done_ += results.size();

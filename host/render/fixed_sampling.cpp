@@ -77,8 +77,12 @@ void FixedSampling::take(std::uint64_t first, std::span<const gpu::WorkResult> r
 void FixedSampling::copyValues(std::span<glm::vec3> values) const {
   for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
     values[pixel] = measured_.empty() ? glm::vec3(sums_[pixel].mean())
-                                      : glm::vec3(static_cast<float>(measure(view_, measured_[pixel])));
+                                      : glm::vec3(measuredValue(pixel));
   }
+}
+
+float FixedSampling::measuredValue(std::uint64_t pixel) const {
+  return static_cast<float>(measure(view_, measured_[pixel], samples(pixel)));
 }
 
 std::uint32_t FixedSampling::mostSamples() const {

@@ -29,6 +29,7 @@ class FixedSampling : public Sampling {
  private:
   void startRound(std::uint32_t first, std::uint32_t size);
   std::uint64_t planPass() override;
+  [[nodiscard]] float measuredValue(std::uint64_t pixel) const;
   [[nodiscard]] gpu::WorkItem item(std::uint64_t index) const;
   void take(std::uint64_t first, std::span<const gpu::WorkResult> results) override;
 

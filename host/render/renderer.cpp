@@ -1,6 +1,7 @@
 #include "render/renderer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/center_sampling.hpp"
 #include "render/covered_part.hpp"
@@ -134,19 +135,23 @@ Image Render::image() const {
   const std::uint64_t pixels = pixelsOf(settings_.crop);
   std::vector<float> values(3 * pixels);
   if (isTraced()) copyShown({reinterpret_cast<glm::vec3*>(values.data()), pixels});
-  return wholeImage(std::move(values));
+  Image whole = wholeImage(std::move(values));
+  if (isMeasure(settings_.view)) normalize(whole);
+  return whole;
 }
 
 Image Render::takeImage() {
   const bool showsOther = settings_.view == View::kSamples || settings_.view == View::kError;
-  return isTraced() && !showsOther ? wholeImage(sampling_->takeValues()) : image();
+  if (!isTraced() || showsOther) return image();
+  Image whole = wholeImage(sampling_->takeValues());
+  if (isMeasure(settings_.view)) largestMeasure_ = double{normalize(whole)};
+  return whole;
 }
 
 // The picture that is asked for, of the values of its traced part.
 Image Render::wholeImage(std::vector<float> values) const {
   const Rectangle& part = settings_.crop;
   Image traced{part.x1 - part.x0, part.y1 - part.y0, std::move(values)};
-  if (isMeasure(settings_.view)) normalize(traced);
   Image whole{crop_.x1 - crop_.x0, crop_.y1 - crop_.y0, {}};
   if (whole.width == traced.width && whole.height == traced.height) return traced;
   whole.rgb.resize(3 * pixelsOf(crop_));
@@ -164,6 +169,7 @@ RenderStatistics Render::statistics() const {
   result.estimatedError = sampling_->estimatedError();
   result.counts = tracer_->counts();
   result.deviceBytes = tracer_->deviceBytes();
+  result.largestMeasure = largestMeasure_;
   return result;
 }
 
@@ -205,7 +211,8 @@ RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera&
                     const RenderSettings& settings) {
   Render render(device, scene, camera, settings);
   render.run([] { return true; });
-  return {render.statistics(), render.takeImage()};
+  Image image = render.takeImage();
+  return {render.statistics(), std::move(image)};
 }
 
 }  // namespace lavaray

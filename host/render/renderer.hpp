@@ -34,6 +34,7 @@ struct RenderStatistics {
   std::uint64_t skippedPixels = 0;  // known to be black without a sample
   TraceCounts counts;               // of this process
   std::size_t deviceBytes = 0;
+  double largestMeasure = 0.0;  // of a pixel, where the view is a measure and the image has been taken: that is 1 there
 };
 
 struct RenderResult : RenderStatistics {
@@ -85,6 +86,7 @@ class Render {
   std::uint64_t earlierSamples_ = 0;  // of a film
   Clock::time_point start_;
   StopReason stopReason_ = StopReason::kFinished;
+  double largestMeasure_ = 0.0;
   bool isComplete_ = false;  // all is done that was asked for
 };
 

@@ -63,8 +63,8 @@ bool isMeasure(View view) {
   return view == View::kDepth || view == View::kCost;
 }
 
-double measure(View view, const glm::dvec3& sum) {
-  if (view == View::kCost) return sum.x;
+double measure(View view, const glm::dvec3& sum, std::uint32_t samples) {
+  if (view == View::kCost) return samples > 0 ? sum.x / samples : 0.0;
   // Samples that hit nothing have no distance, and none is the background's.
   return sum.y > 0.0 ? sum.x / sum.y : 0.0;
 }

@@ -16,7 +16,7 @@ enum class View {
   kDepth,    // distance from the camera, in proportion to the largest
   kObject,   // a colour for each object
   kShadow,   // share of the lights that are not blocked
-  kCost,     // number of rays, in proportion to the largest
+  kCost,     // nodes and primitives that rays are tested against, in proportion to the most
   kSamples,  // samples of each pixel, in proportion to the most
   kError,    // estimated error of each pixel, in units of a colour; needs a target error
 };
@@ -32,8 +32,8 @@ bool tracesLights(View view);
 bool tracesMirrors(View view);
 
 // Whether the view shows a measure without an upper bound, which only the whole image's largest value brings
-// into [0, 1], and that of a pixel by the sum of what the shader returned for its samples.
+// into [0, 1], and that of a pixel by the sum of what the shader returned for so many samples.
 bool isMeasure(View view);
-double measure(View view, const glm::dvec3& sum);
+double measure(View view, const glm::dvec3& sum, std::uint32_t samples);
 
 }  // namespace lavaray
