@@ -206,6 +206,37 @@ expect 0 '' "$lavaray" "$scene" $small --view depth -o view.png
 expect 0 '' "$diff" --info view.png
 holds '--info says the view' grep -qE '^View +depth$' stdout
 expect 2 'color, normal, depth, object, shadow, cost, samples, error' "$lavaray" "$scene" --view nothing
+# Costs: a scale in the message and in the PNG's text, numbers in PFM, their false colours in pictures.
+scale='white is [0-9.]+ nodes and primitives tested for a sample'
+expect 0 "^cost: $scale\$" "$lavaray" "$scene" $small --view cost -o cost.pfm
+most=$(sed -n 's/^cost: white is \([0-9.]*\) .*/\1/p' stderr)
+expect 0 "^cost: white is $most " "$lavaray" "$scene" $small --view cost --crop 10,5,30,20 -o cost.png
+expect 0 '' "$diff" --info cost.png
+holds '--info says the scale' grep -qE "^Scale +$scale\$" stdout
+expect 0 '' "$lavaray" -q "$scene" $small --view cost -o cost.ppm
+holds '-q keeps the scale quiet' test ! -s stderr
+printf '1\ncamera\npos: 0 0 0\nfov: 90\nf: 8\na: 1\n' >nothing.txt
+expect 0 '^cost: no ray tests a node or a primitive$' "$lavaray" nothing.txt --view cost -o nothing.png
+python3 - cost.pfm cost.ppm "$most" <<'END' || { failures=$((failures + 1)); echo 'FAILED: --view cost: numbers and their colours'; }
+import struct, sys
+pfm, ppm, most = open(sys.argv[1], 'rb').read(), open(sys.argv[2], 'rb').read(), float(sys.argv[3])
+_, size, _, data = pfm.split(b'\n', 3)
+width, height = map(int, size.split())
+values = [value for (value,) in struct.iter_unpack('>f', data)]
+counts = [value * most for value in values]
+assert max(values) == 1 and values[::3] == values[1::3] == values[2::3]
+assert all(abs(count - round(count)) < 1e-3 for count in counts) and len(set(counts)) > 3
+rows = [counts[3 * width * y:3 * width * (y + 1):3] for y in reversed(range(height))]
+pixels = list(struct.iter_unpack('3B', ppm[-3 * width * height:]))
+lightness = {}
+for count, (r, g, b) in zip(sum(rows, []), pixels):
+    lightness.setdefault(round(count), set()).add(0.2126 * (r / 255) ** 2.2 + 0.7152 * (g / 255) ** 2.2 + 0.0722 * (b / 255) ** 2.2)
+assert all(len(values) == 1 for values in lightness.values()), 'a count has one colour'
+order = [lightness[count] for count in sorted(lightness)]
+assert all(max(a) < min(b) for a, b in zip(order, order[1:])), 'the larger the lighter'
+assert pixels[sum(rows, []).index(most)] == (255, 255, 255)
+END
+checks=$((checks + 1))
 expect 0 '' "$lavaray" "$scene" $small --reflect 0.5 -o mirrored.pfm
 expect 0 '' "$lavaray" "$scene" $small --reflect 0.5 --max-depth 0 -o unmirrored.pfm
 expect 10 '' "$diff" mirrored.pfm unmirrored.pfm

@@ -229,55 +229,5 @@ TEST(View, ShadowOfASphericalLightIsAShareOfIt) {
   EXPECT_EQ(pixelOf(image, kSide / 2, kSide - 1).x, 1.0);
 }
 
-TEST(View, CostIsTheNumberOfRays) {
-  Scene scene = balls();
-  // Each of them shows wherever it shines, so that no shadow ray is left out.
-  for (int i = 0; i < 3; ++i) {
-    scene.lights.push_back({.position = glm::dvec3(i, 9.0, 3.0), .ambient = glm::dvec3(0.1)});
-  }
-  const Image image = viewOf(scene, View::kCost);
-  forClearPixels(scene, [&](int x, int y, const std::optional<Seen>& seen) {
-    EXPECT_EQ(pixelOf(image, x, y), glm::dvec3(seen ? 1.0 : 0.25));
-  });
-}
-
-// The sum over the pixels is that of the counters, mirrors and directions to spherical lights included.
-TEST(View, CostAddsUpToAllRays) {
-  Scene scene = readNamed("extensions");
-  scene.lights.resize(1);
-  RenderSettings settings = settingsFor(reducedSize(scene.camera, 60), 4);
-  settings.view = View::kCost;
-  settings.maxDepth = 2;  // few enough for one dispatch, where the counters count no path twice
-  const RenderResult direct = renderScene(scene, settings);
-  ASSERT_GT(direct.counts.mirrorRays, 0U);
-  double sum = 0.0;
-  double least = 1.0;
-  for (std::size_t i = 0; i < direct.image.rgb.size(); i += 3) {
-    sum += double{direct.image.rgb[i]};
-    least = std::min(least, double{direct.image.rgb[i]});
-  }
-  const auto rays =
-      static_cast<double>(direct.counts.samples + direct.counts.mirrorRays + direct.counts.shadowRays);
-  const double most = rays / sum;
-  EXPECT_NEAR(most, std::round(most), 1e-3);
-  EXPECT_NEAR(most * least, std::round(most * least), 1e-3);
-  EXPECT_GT(most * least, 3.999);  // a camera ray for each sample
-}
-
-// A path that goes on in another dispatch counts no ray twice.
-TEST(View, CostDoesNotDependOnDispatches) {
-  Scene scene = readNamed("extensions");
-  scene.lights.resize(1);
-  for (Material& material : scene.materials) material.reflectance *= 0.05;
-  RenderSettings settings = settingsFor(reducedSize(scene.camera, 60), 4);
-  settings.view = View::kCost;
-  settings.maxDepth = 3;
-  const RenderResult direct = renderScene(scene, settings);
-  settings.maxDepth = 200;
-  const RenderResult resumable = renderScene(scene, settings);
-  EXPECT_GT(resumable.deviceBytes, direct.deviceBytes);
-  EXPECT_TRUE(sameBits(direct.image, resumable.image));
-}
-
 }  // namespace
 }  // namespace lavaray

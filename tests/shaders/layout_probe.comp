@@ -64,7 +64,7 @@ void main() {
   put(item.pixel, end); put(item.part, end); put(item.first, end); put(item.count, end);
   const WorkState state = states[1];
   put(state.sum, end); put(state.taken, end); put(state.color, end); put(state.bounce, end);
-  put(state.step, end); put(state.squares, end); put(state.rays, end); put(state.padding0, end);
+  put(state.step, end); put(state.squares, end); put(state.tests, end); put(state.padding0, end);
   results[1] = WorkResult(vec3(1.0, 2.0, 3.0), 4.0);
   statuses[1] = DispatchStatus(5u, 6u, 7u, 8u, 9u, 10u, 11u, 12u);
 }

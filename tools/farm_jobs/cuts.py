@@ -7,6 +7,9 @@ from pathlib import Path
 
 # Rows of the small picture that says what each row of the large one costs.
 ESTIMATE_ROWS = 96
+# What a row costs beside the tests of its rays, as a share of the mean row's tests: where there is nothing to test, its
+# samples are taken nevertheless.
+BESIDE_TESTS = 0.1
 
 
 def read_pfm(file):
@@ -23,13 +26,14 @@ def read_pfm(file):
 
 
 def row_costs(lavaray, scene, options, height):
-    """Relative cost of each row of the picture, by the rays that a small one takes."""
+    """Relative cost of each row of the picture, by what the rays of a small one test."""
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder) / "cost.pfm"
         subprocess.run([lavaray, scene, *options, "--view", "cost", "--height", str(min(height, ESTIMATE_ROWS)),
                         "-o", picture, "-q"], check=True)
         _, _, rows = read_pfm(picture)
-    return [sum(row) for row in rows]
+    tests = [sum(row) for row in rows]
+    return [row + BESIDE_TESTS * sum(tests) / len(tests) for row in tests]
 
 
 def equal_cuts(costs, height, parts):
