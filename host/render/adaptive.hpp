@@ -23,6 +23,11 @@ class AdaptiveSampling {
   AdaptiveSampling(int width, int height, double targetError, std::uint32_t maxSamples, bool isStratified,
                    std::vector<std::uint64_t> smallObjects);
 
+  // Of memory, the items of a pass and those of the next, whose vector grows, included.
+  static std::size_t bytesPerPixel() {
+    return sizeof(HalfSums) + ErrorEstimate::bytesPerPixel() + 4 * sizeof(gpu::WorkItem);
+  }
+
   // The samples to take next; none where the target is reached or nothing more is allowed. All of them must
   // be added, in any order, before the next call.
   std::vector<gpu::WorkItem> nextItems();

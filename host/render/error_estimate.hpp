@@ -27,6 +27,8 @@ class ErrorEstimate {
   // estimated less well, and too high.
   ErrorEstimate(int width, int height, bool isStratified, double negligible);
 
+  static std::size_t bytesPerPixel() { return 1 + sizeof(Statistics) + sizeof(PixelClass); }
+
   // A pixel's samples have changed; update() looks at it and its neighbours.
   void mark(std::size_t pixel) { isMarked_[pixel] = 1; }
   void markAll();

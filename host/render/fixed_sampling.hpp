@@ -16,6 +16,10 @@ class FixedSampling : public Sampling {
   // Of a round; the most that passItems() becomes.
   static std::uint64_t mostItems(std::uint64_t pixels, SampleRange range);
 
+  static std::size_t bytesPerPixel(View view) {
+    return sizeof(PixelSum) + (isMeasure(view) ? sizeof(glm::dvec3) : 0);
+  }
+
   void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override;
   void copyValues(std::span<glm::vec3> values) const override;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return sums_[pixel].samples(); }

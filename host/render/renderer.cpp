@@ -207,6 +207,13 @@ void Render::copyShown(std::span<glm::vec3> values) const {
   }
 }
 
+std::uint64_t hostBytes(const RenderSettings& settings) {
+  const std::uint64_t pixels = pixelsOf(settings.crop);
+  if (settings.targetError) return pixels * AdaptiveSampling::bytesPerPixel();
+  if (settings.samples > 1) return pixels * FixedSampling::bytesPerPixel(settings.view);
+  return settings.keepsPicture ? pixels * sizeof(glm::vec3) : 0;
+}
+
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
                     const RenderSettings& settings) {
   Render render(device, scene, camera, settings);

@@ -90,6 +90,10 @@ class Render {
   bool isComplete_ = false;  // all is done that was asked for
 };
 
+// The most bytes, or nearly so, that a render with these settings holds of its pixels in the host's memory.
+// The device's buffers come on top, and whatever the caller makes of the picture.
+std::uint64_t hostBytes(const RenderSettings& settings);
+
 // Renders all at once.
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
                     const RenderSettings& settings);

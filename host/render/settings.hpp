@@ -42,6 +42,9 @@ struct RenderSettings {
   std::optional<double> timeLimitSeconds;
   View view = View::kColor;
   bool countRays = false;
+  // Without it there is no picture to look at, to keep in a film or to go on from: each row is handed over as
+  // soon as it is complete. For one sample a pixel and a view that is no measure.
+  bool keepsPicture = true;
   // SPIR-V of render.comp; empty is what the program was built with.
   std::span<const std::uint32_t> shader;
   // Without it the pipeline holds the code for all that any scene may have; for comparison.
