@@ -82,5 +82,17 @@ TEST(PngFile, IsRefusedWhereItEndsEarly) {
   }
 }
 
+TEST(PngFile, HasTextsBeforeAndBehindThePixels) {
+  const std::filesystem::path file = testFolder() / "image.png";
+  std::FILE* const stream = std::fopen(file.c_str(), "wb");
+  PngWriter writer(2, 1, {{"Scene", "a"}}, stream);
+  writer.writeRow(std::vector<float>(6, 0.5F));
+  writer.finish({{"Seconds", "1.5"}, {"Stopped", "\xC3\xA4"}});
+  std::fclose(stream);
+  const TextEntries expected = {{"Scene", "a"}, {"Seconds", "1.5"}, {"Stopped", "\xC3\xA4"}};
+  EXPECT_EQ(readPngTexts(file), expected);
+  EXPECT_EQ(readPng(file).rgb, std::vector<float>(6, 127.0F / 255.0F));
+}
+
 }  // namespace
 }  // namespace lavaray

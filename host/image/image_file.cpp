@@ -118,10 +118,6 @@ std::string formatName(ImageFormat format) {
   return "PFM";
 }
 
-std::uint8_t toByte(float value) {
-  return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
-}
-
 Image asDisplayed(const Image& image) {
   Image result = image;
   for (float& value : result.rgb) {

@@ -35,7 +35,10 @@ void checkBmpSize(int width, int height);
 // Throws Error(kInput) where the file cannot be read as its ending says. 8-bit values v become v / 255.
 Image readImage(const std::filesystem::path& file);
 
-std::uint8_t toByte(float value);
+// Of a value in [0, 1].
+inline std::uint8_t toByte(float value) {
+  return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
+}
 
 // The values that an 8-bit file of the image holds, in 0..1; what is not a number stays so.
 Image asDisplayed(const Image& image);

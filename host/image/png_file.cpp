@@ -135,8 +135,13 @@ void PngWriter::writeRow(std::span<const float> rgb) {
   library_->run(stream_, [&] { png_write_row(library_->png, row_.data()); });
 }
 
-void PngWriter::finish() {
-  library_->run(stream_, [&] { png_write_end(library_->png, library_->info); });
+void PngWriter::finish(const TextEntries& entries) {
+  Library& l = *library_;
+  const std::vector<png_text> texts = pngTexts(entries);
+  l.run(stream_, [&] {
+    png_set_text(l.png, l.info, texts.data(), static_cast<int>(texts.size()));
+    png_write_end(l.png, l.info);
+  });
 }
 
 void writePng(const Image& image, const TextEntries& entries, std::FILE* stream) {
@@ -145,12 +150,21 @@ void writePng(const Image& image, const TextEntries& entries, std::FILE* stream)
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
     png.writeRow(std::span(image.rgb).subspan(y * rowSize, rowSize));
   }
-  png.finish();
+  png.finish({});
 }
 
 TextEntries readPngTexts(const std::filesystem::path& file) {
   Reader reader(file);
-  reader.run([](png_structp png, png_infop info) { png_read_info(png, info); });
+  std::vector<png_byte> row;
+  reader.run([&](png_structp png, png_infop info) {
+    png_read_info(png, info);
+    const int passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    row.resize(png_get_rowbytes(png, info));
+    const png_uint_32 rows = static_cast<png_uint_32>(passes) * png_get_image_height(png, info);
+    for (png_uint_32 y = 0; y < rows; ++y) png_read_row(png, row.data(), nullptr);
+    png_read_end(png, info);
+  });
   png_textp texts = nullptr;
   const int count = png_get_text(reader.png(), reader.info(), &texts, nullptr);
   TextEntries entries;

@@ -28,7 +28,8 @@ class PngWriter {
 
   // The next row, of 3 * width values.
   void writeRow(std::span<const float> rgb);
-  void finish();
+  // After the last row; these texts are written behind the pixels.
+  void finish(const TextEntries& texts);
 
  private:
   struct Library;
@@ -43,8 +44,7 @@ void writePng(const Image& image, const TextEntries& texts, std::FILE* stream);
 // three equal channels. Throws Error(kInput) where the file cannot be read as PNG.
 Image readPng(const std::filesystem::path& file);
 
-// The texts that stand before the pixels, where writePng puts them. Throws Error(kInput) where the file
-// cannot be read as PNG.
+// The texts before and behind the pixels. Throws Error(kInput) where the file cannot be read as PNG.
 TextEntries readPngTexts(const std::filesystem::path& file);
 
 }  // namespace lavaray

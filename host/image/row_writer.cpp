@@ -1,13 +1,20 @@
 #include "image/row_writer.hpp"
 
+#include <sys/types.h>
+
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cstring>
+
+#include "core/errors.hpp"
 
 namespace lavaray {
 namespace {
 
 constexpr std::size_t kBmpHeaderBytes = 54;
+constexpr std::size_t kBlockBytes = std::size_t{1} << 18U;
 
 // BMP's rows have a multiple of four bytes.
 std::size_t rowBytes(ImageFormat format, int width) {
@@ -16,10 +23,30 @@ std::size_t rowBytes(ImageFormat format, int width) {
   return format == ImageFormat::kBmp ? (values + 3) / 4 * 4 : values;
 }
 
+void toBigEndianFloats(std::span<const float> values, std::uint8_t* bytes) {
+  for (const float value : values) {
+    const auto bits = __builtin_bswap32(std::bit_cast<std::uint32_t>(value));
+    std::memcpy(bytes, &bits, sizeof bits);
+    bytes += sizeof bits;
+  }
+}
+
+void toBlueGreenRed(std::span<const float> rgb, std::uint8_t* bytes) {
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    bytes[i] = toByte(rgb[i + 2]);
+    bytes[i + 1] = toByte(rgb[i + 1]);
+    bytes[i + 2] = toByte(rgb[i]);
+  }
+}
+
 }  // namespace
 
 RowWriter::RowWriter(ImageFormat format, int width, int height, std::FILE* stream, const TextEntries& texts)
-    : format_(format), stream_(stream), row_(rowBytes(format, width)) {
+    : format_(format),
+      stream_(stream),
+      rowBytes_(rowBytes(format, width)),
+      blockRows_(std::clamp(kBlockBytes / rowBytes_, std::size_t{1}, static_cast<std::size_t>(height))),
+      rowsLeft_(height) {
   switch (format_) {
     case ImageFormat::kBmp:
       checkBmpSize(width, height);
@@ -27,7 +54,7 @@ RowWriter::RowWriter(ImageFormat format, int width, int height, std::FILE* strea
       break;
     case ImageFormat::kPng:
       png_ = std::make_unique<PngWriter>(width, height, texts, stream);
-      break;
+      return;  // It has rows of its own.
     case ImageFormat::kPpm:
       std::fprintf(stream_, "P6\n%d %d\n255\n", width, height);
       break;
@@ -35,6 +62,8 @@ RowWriter::RowWriter(ImageFormat format, int width, int height, std::FILE* strea
       std::fprintf(stream_, "PF\n%d %d\n1.0\n", width, height);  // a positive scale: big-endian
       break;
   }
+  block_.resize(blockRows_ * rowBytes_);
+  if (isBottomUp()) pixels_ = ftello(stream_);
 }
 
 void RowWriter::writeBmpHeader(int width, int height) {
@@ -42,7 +71,7 @@ void RowWriter::writeBmpHeader(int width, int height) {
   const auto put = [&](std::size_t place, std::uint64_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) header[place + i] = static_cast<std::uint8_t>(value >> (8 * i));
   };
-  const std::uint64_t pixelBytes = std::uint64_t{row_.size()} * height;
+  const std::uint64_t pixelBytes = std::uint64_t{rowBytes_} * height;
   put(2, kBmpHeaderBytes + pixelBytes, 4);
   put(10, kBmpHeaderBytes, 4);
   put(14, 40, 4);  // bytes of the second half of the header
@@ -62,24 +91,35 @@ bool RowWriter::isBottomUp() const {
 }
 
 void RowWriter::write(std::span<const float> rgb) {
-  if (png_) {
-    png_->writeRow(rgb);
-    return;
+  if (png_) return png_->writeRow(rgb);
+  std::uint8_t* const row = &block_[(isBottomUp() ? blockRows_ - 1 - waiting_ : waiting_) * rowBytes_];
+  if (format_ == ImageFormat::kPfm) {
+    toBigEndianFloats(rgb, row);
+  } else if (format_ == ImageFormat::kBmp) {
+    toBlueGreenRed(rgb, row);
+  } else {
+    std::transform(rgb.begin(), rgb.end(), row, toByte);
   }
-  for (std::size_t i = 0; i < rgb.size(); ++i) {
-    if (format_ == ImageFormat::kPfm) {
-      const auto bits = __builtin_bswap32(std::bit_cast<std::uint32_t>(rgb[i]));
-      std::memcpy(&row_[4 * i], &bits, sizeof bits);
-    } else {
-      const std::size_t place = format_ == ImageFormat::kBmp ? i / 3 * 3 + (2 - i % 3) : i;  // blue first
-      row_[place] = toByte(rgb[i]);
-    }
-  }
-  std::fwrite(row_.data(), 1, row_.size(), stream_);
+  if (++waiting_ == blockRows_) writeBlock();
 }
 
-void RowWriter::finish() {
-  if (png_) png_->finish();
+void RowWriter::writeBlock() {
+  rowsLeft_ -= static_cast<std::int64_t>(waiting_);
+  const std::uint8_t* rows = block_.data();
+  if (isBottomUp()) {
+    rows += (blockRows_ - waiting_) * rowBytes_;
+    const std::int64_t place = pixels_ + rowsLeft_ * static_cast<std::int64_t>(rowBytes_);
+    if (fseeko(stream_, static_cast<off_t>(place), SEEK_SET) != 0 && std::ferror(stream_) == 0) {
+      throw Error(ExitCode::kOutput, std::string("the image cannot be written: ") + std::strerror(errno));
+    }
+  }
+  std::fwrite(rows, 1, waiting_ * rowBytes_, stream_);
+  waiting_ = 0;
+}
+
+void RowWriter::finish(const TextEntries& texts) {
+  if (png_) return png_->finish(texts);
+  if (waiting_ > 0) writeBlock();
 }
 
 }  // namespace lavaray

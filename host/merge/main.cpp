@@ -110,13 +110,13 @@ ExitCode mergeParts(const MergeOptions& options) {
                              {"Device", merge.first().device}};
   RowWriter writer(imageFormat(options.output).value(), width, height, output.stream(), texts);
   progress.begin("merging");
-  for (int i = 0; i < height; ++i) {
-    merge.readRow(writer.isBottomUp() ? area.y1 - 1 - i : area.y0 + i, area.x0, row);
+  for (int y = 0; y < height; ++y) {
+    merge.readRow(area.y0 + y, area.x0, row);
     if (options.normalize && largest > 0.0F) {
       for (float& value : row) value /= largest;
     }
     writer.write(row);
-    progress.update(static_cast<double>(i + 1) / height, "");
+    progress.update(static_cast<double>(y + 1) / height, "");
   }
   writer.finish();
   output.commit();
