@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "image/perceived_difference.hpp"
 #include "image/perceptual_color.hpp"
 
 namespace lavaray {
@@ -162,10 +163,10 @@ TEST(Flip, IsThatOfThePaper) {
 
 TEST(Flip, IsZeroForEqualImagesOnly) {
   const Image image = noise(50, 70, 4, 1.0F);
-  EXPECT_EQ(meanFlip(image, image, 1), 0.0);
+  EXPECT_EQ(perceivedDifference(image, image, 1), 0.0);
   Image other = image;
   other.rgb[300] = other.rgb[300] > 0.5F ? 0.0F : 1.0F;
-  EXPECT_GT(meanFlip(image, other, 1), 0.0);
+  EXPECT_GT(perceivedDifference(image, other, 1), 0.0);
 }
 
 TEST(Flip, IsOneForTheMostDifferentColors) {
@@ -187,7 +188,7 @@ TEST(Flip, OfWhatIsNotANumberIsNone) {
   Image image = constantImage(30, 30, glm::vec3(0.5F));
   const Image reference = image;
   image.rgb[3 * (30 * 15 + 15)] = NAN;
-  EXPECT_TRUE(std::isnan(meanFlip(image, reference, 1)));
+  EXPECT_TRUE(std::isnan(flipMap(image, reference, 1)[30 * 15 + 15]));
 }
 
 TEST(PerceptualColor, KnowsTheColorsOfTheTables) {

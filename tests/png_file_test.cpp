@@ -1,6 +1,4 @@
 // PNG files as other programs write them.
-#include "image/png_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <png.h>
@@ -9,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "image/image_file.hpp"
 #include "input_files.hpp"
 
 namespace lavaray {
@@ -54,22 +53,22 @@ std::vector<Value> pixelsOf(std::size_t channels, bool hasAlpha) {
 }
 
 TEST(PngFile, IsReadInColorAndGreyWithAlphaAndWithout) {
-  expectColors(readPng(writePixels(PNG_FORMAT_RGB, pixelsOf<png_byte>(3, false).data())), false);
-  expectColors(readPng(writePixels(PNG_FORMAT_RGBA, pixelsOf<png_byte>(4, true).data())), false);
-  expectColors(readPng(writePixels(PNG_FORMAT_GRAY, pixelsOf<png_byte>(1, false).data())), true);
-  expectColors(readPng(writePixels(PNG_FORMAT_GA, pixelsOf<png_byte>(2, true).data())), true);
+  expectColors(readImage(writePixels(PNG_FORMAT_RGB, pixelsOf<png_byte>(3, false).data())), false);
+  expectColors(readImage(writePixels(PNG_FORMAT_RGBA, pixelsOf<png_byte>(4, true).data())), false);
+  expectColors(readImage(writePixels(PNG_FORMAT_GRAY, pixelsOf<png_byte>(1, false).data())), true);
+  expectColors(readImage(writePixels(PNG_FORMAT_GA, pixelsOf<png_byte>(2, true).data())), true);
 }
 
 TEST(PngFile, IsReadWithAPalette) {
   const std::vector<png_byte> palette = pixelsOf<png_byte>(3, false);
   const std::array<png_byte, 6> indices{0, 1, 2, 3, 4, 5};
-  expectColors(readPng(writePixels(PNG_FORMAT_RGB_COLORMAP, indices.data(), palette.data(), 6)), false);
+  expectColors(readImage(writePixels(PNG_FORMAT_RGB_COLORMAP, indices.data(), palette.data(), 6)), false);
 }
 
 TEST(PngFile, IsReadWith16Bits) {
   std::vector<png_uint_16> pixels = pixelsOf<png_uint_16>(3, false);
   for (png_uint_16& value : pixels) value = static_cast<png_uint_16>(257 * value);
-  expectColors(readPng(writePixels(PNG_FORMAT_LINEAR_RGB, pixels.data())), false);
+  expectColors(readImage(writePixels(PNG_FORMAT_LINEAR_RGB, pixels.data())), false);
 }
 
 TEST(PngFile, IsRefusedWhereItEndsEarly) {
@@ -77,8 +76,7 @@ TEST(PngFile, IsRefusedWhereItEndsEarly) {
   const auto size = std::filesystem::file_size(file);
   for (std::uintmax_t left = size - 13; left > 0; --left) {  // the last chunk's 12 bytes hold nothing
     std::filesystem::resize_file(file, left);
-    EXPECT_NE(inputError([&] { readPng(file); }).find("is no PNG image or is damaged: "), std::string::npos)
-        << left;
+    EXPECT_NE(inputError([&] { readImage(file); }).find("image.png: "), std::string::npos) << left;
   }
 }
 

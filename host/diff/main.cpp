@@ -1,5 +1,5 @@
 // lavaray-diff: compares two images.
-#include <cmath>
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -14,9 +14,9 @@
 #include "core/parallel.hpp"
 #include "core/place.hpp"
 #include "image/difference.hpp"
-#include "image/flip.hpp"
 #include "image/image_file.hpp"
 #include "image/output_file.hpp"
+#include "image/perceived_difference.hpp"
 
 namespace lavaray {
 namespace {
@@ -38,9 +38,20 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   CLI::App app("Compares two images, or says what one is.", "lavaray-diff");
   app.set_version_flag("--version", std::string("lavaray-diff ") + kVersion);
   app.footer(
+      "An image is read as what its bytes say, whatever its ending, in full depth; PNG's gAMA and PFM's "
+      "scale\n"
+      "are not applied. A pixel differs where a channel does, alpha included; an image without alpha is "
+      "opaque.\n"
+      "FLIP sees images with alpha over black and over white, and the larger counts. Where one image has "
+      "floats\n"
+      "and the other integers up to M, a float c is compared as trunc(M c), which is what lavaray writes.\n"
+      "Infinity or NaN in one image alone is beyond every limit, and magenta in the picture; what is the "
+      "same in\n"
+      "both is equal. All figures are over the pixels that are finite in both.\n"
+      "\n"
       "Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
       "2 usage, 3 an image cannot be read, 5 output not written, 6 not enough memory, 10 the images differ.");
-  app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pfm)")->required();
+  app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pgm, .pbm, .pfm)")->required();
   app.add_option("REFERENCE", options.reference, "Image to compare it with");
   app.add_option("--tolerance", options.tolerance, "A channel off by at most T/255 does not differ")
       ->type_name("T")
@@ -48,14 +59,16 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   app.add_option("--max-differing", options.maxDiffering, "Allow N differing pixels")
       ->type_name("N")
       ->check(integerFrom(0));
-  app.add_option("--max-rmse", options.maxRmse, "Allow a root-mean-square error of E (colours in 0..1)")
+  app.add_option("--max-rmse", options.maxRmse,
+                 "Allow a root-mean-square error of E (colours in 0..1), of alpha, too")
       ->type_name("E")
       ->check(numberFrom(0.0));
   app.add_option("--max-flip", options.maxFlip, "Allow a mean FLIP (perceived difference, 0..1) of F")
       ->type_name("F")
       ->check(numberFrom(0.0));
-  app.add_option("-o,--output", options.output,
-                 "Picture of the difference to write (.bmp, .png, .ppm, .pfm), the largest as 1")
+  app.add_option(
+         "-o,--output", options.output,
+         "Picture of the difference to write (.bmp, .png, .ppm, .pfm), the largest as 1, alpha's as grey")
       ->type_name("FILE");
   CLI::Option* info = app.add_flag("--info", options.info, "Print size, format and texts of IMAGE alone");
   for (const char* other :
@@ -73,38 +86,99 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   return options;
 }
 
-// A limit that is not given does not count; without any, no pixel may differ.
+// A limit that is not given does not count; without any, no pixel may differ. Infinity or NaN in one image
+// alone is beyond every limit.
 bool withinLimits(const DiffOptions& options, const Difference& difference, double flip) {
+  if (difference.unlike > 0) return false;
   const bool pixelsCount = options.tolerance || options.maxDiffering || !(options.maxRmse || options.maxFlip);
   if (pixelsCount && difference.differing > options.maxDiffering.value_or(0)) return false;
-  if (options.maxRmse && !(difference.rmse <= *options.maxRmse)) return false;
+  const double rmse = std::max(difference.color.rmse, difference.alpha.rmse);
+  if (options.maxRmse && !(rmse <= *options.maxRmse)) return false;
   return !options.maxFlip || flip <= *options.maxFlip;
 }
 
-// FLIP looks at what a display shows: of a file of floats what an 8-bit file of the same values would hold.
-Image displayedFile(const std::string& file, const Image& image) {
-  return imageFormat(file) == ImageFormat::kPfm ? asDisplayed(image) : image;
+std::string place(int x, int y) {
+  return std::to_string(x) + "," + std::to_string(y);
+}
+
+void printNotes(const char* name, const Image& image) {
+  for (const std::string& note : image.source.notes)
+    std::cout << "note         " << name << ' ' << note << '\n';
+}
+
+bool holdsFloats(const Image& image) {
+  return image.source.maxima[0] == 0;
+}
+
+// trunc(255 c), or more of them where the channels have maxima of their own.
+std::string truncation(const Image& integers) {
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string one = "trunc(" + std::to_string(integers.source.maxima[i]) + " c)";
+    if (text.find(one) == std::string::npos) text += (text.empty() ? "" : ", ") + one;
+  }
+  return text;
+}
+
+// Where one image has floats and the other integers.
+void compareAsWritten(Image& image, Image& reference) {
+  if (holdsFloats(image) == holdsFloats(reference)) return;
+  const bool isImage = holdsFloats(image);
+  Image& floats = isImage ? image : reference;
+  const Image& integers = isImage ? reference : image;
+  std::cout << "compared as  " << truncation(integers) << ": the floats c of "
+            << (isImage ? "IMAGE" : "REFERENCE") << " as a file like the other would hold them\n";
+  floats = asWritten(floats, integers);
+  floats.source.maxima = integers.source.maxima;
+}
+
+void printDifference(const Difference& difference, double flip) {
+  const ChannelDifference& color = difference.color;
+  std::cout << "differing    " << difference.differing << " of " << difference.pixels << " pixels\n"
+            << "largest      " << color.largest * 255.0 << " / 255 at " << place(color.x, color.y) << '\n'
+            << "RMSE         " << color.rmse << '\n'
+            << "PSNR         " << color.psnr() << " dB\n"
+            << "mean FLIP    " << flip << '\n';
+}
+
+void printAlpha(const Image& image, const Image& reference, const ChannelDifference& alpha) {
+  if (image.alpha.empty() && reference.alpha.empty()) return;
+  std::cout << "alpha        " << alpha.differing << " pixels differ, largest " << alpha.largest * 255.0
+            << " / 255 at " << place(alpha.x, alpha.y) << ", RMSE " << alpha.rmse;
+  if (image.alpha.empty()) std::cout << "; IMAGE has none, which is 1";
+  if (reference.alpha.empty()) std::cout << "; REFERENCE has none, which is 1";
+  std::cout << '\n';
+}
+
+void printNotFinite(const Difference& difference) {
+  const std::size_t notFinite = difference.pixels - difference.finite;
+  if (notFinite == 0) return;
+  std::cout << "not finite   " << difference.unlike << " pixels differ by infinity or NaN";
+  if (difference.unlike > 0) std::cout << ", the first at " << place(difference.unlikeX, difference.unlikeY);
+  std::cout << "; " << notFinite - difference.unlike << " are the same in both\n"
+            << "finite       " << difference.finite
+            << " pixels in both images: largest, RMSE, PSNR, mean FLIP and alpha are over these\n";
 }
 
 ExitCode diff(const DiffOptions& options) {
-  const Image image = readImage(options.image);
-  const Image reference = readImage(options.reference);
+  Image image = readImage(options.image);
+  Image reference = readImage(options.reference);
   std::cout << "size         " << image.width << " x " << image.height << '\n';
+  printNotes("IMAGE", image);
+  printNotes("REFERENCE", reference);
   if (image.width != reference.width || image.height != reference.height) {
     std::cout << "reference    " << reference.width << " x " << reference.height << "\n";
     return ExitCode::kImagesDiffer;
   }
-  // Half a percent of a level, so that a difference of T levels, a rounded quotient of 255, is within T.
-  const double tolerance = (options.tolerance.value_or(0.0) + (options.tolerance ? 0.005 : 0.0)) / 255.0;
-  const Difference difference = compare(image, reference, tolerance);
-  const double flip = meanFlip(displayedFile(options.image, image),
-                               displayedFile(options.reference, reference), hardwareThreads());
-  std::cout << "differing    " << difference.differing << " of " << difference.pixels << " pixels\n"
-            << "largest      " << difference.largest * 255.0 << " / 255 at " << difference.x << ","
-            << difference.y << '\n'
-            << "RMSE         " << difference.rmse << '\n'
-            << "PSNR         " << difference.psnr() << " dB\n"
-            << "mean FLIP    " << flip << '\n';
+  compareAsWritten(image, reference);
+  // Two quotients, each rounded to a float, are off by 2^-24 at most: so a difference of T levels is within
+  // T.
+  const double tolerance = options.tolerance.value_or(0.0) / 255.0;
+  const Difference difference = compare(image, reference, tolerance > 0.0 ? tolerance + 0x1p-23 : 0.0);
+  const double flip = perceivedDifference(image, reference, hardwareThreads());
+  printDifference(difference, flip);
+  printAlpha(image, reference, difference.alpha);
+  printNotFinite(difference);
   if (!options.output.empty()) {
     OutputFile file(options.output);
     writeImage(differencePicture(image, reference), imageFormat(options.output).value(), file.stream());
@@ -113,16 +187,27 @@ ExitCode diff(const DiffOptions& options) {
   return withinLimits(options, difference, flip) ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
 }
 
+std::string valuesText(const Image& image) {
+  if (holdsFloats(image)) return "floats";
+  const auto& maxima = image.source.maxima;
+  std::string text = "0 to " + std::to_string(maxima[0]);
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (maxima[0] != maxima[1] || maxima[0] != maxima[2]) text += ", 0 to " + std::to_string(maxima[i]);
+  }
+  return text;
+}
+
 ExitCode info(const std::string& file) {
-  const Image image = readImage(file);  // of each format, and so that a damaged file is found out
-  const ImageFormat format = imageFormat(file).value();
+  const Image image = readImage(file);
   const auto print = [](const std::string& name, const std::string& value) {
     std::cout << std::left << std::setw(18) << printable(name) << ' ' << printable(value) << '\n';
   };
-  print("format", formatName(format));
+  print("format", image.source.format);
   print("size", std::to_string(image.width) + " x " + std::to_string(image.height));
-  if (format != ImageFormat::kPng) return ExitCode::kSuccess;
-  for (const auto& [keyword, text] : readPngTexts(file)) print(keyword, text);
+  print("values", valuesText(image));
+  print("alpha", image.alpha.empty() ? "no" : "yes");
+  for (const std::string& note : image.source.notes) print("note", note);
+  for (const auto& [keyword, text] : image.source.texts) print(keyword, text);
   return ExitCode::kSuccess;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -186,11 +185,6 @@ std::vector<float> flipMap(const Image& image, const Image& reference, unsigned 
     }
   });
   return map;
-}
-
-double meanFlip(const Image& image, const Image& reference, unsigned threads) {
-  const std::vector<float> map = flipMap(image, reference, threads);
-  return std::accumulate(map.begin(), map.end(), 0.0) / static_cast<double>(map.size());
 }
 
 }  // namespace lavaray

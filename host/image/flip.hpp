@@ -18,6 +18,4 @@ inline constexpr double kFlipPixelsPerDegree = 0.7 * (3840.0 / 0.7) * std::numbe
 // in [0, 1], which are taken as sRGB-encoded. It is not a number within about ten pixels of such a value.
 std::vector<float> flipMap(const Image& image, const Image& reference, unsigned threads);
 
-double meanFlip(const Image& image, const Image& reference, unsigned threads);
-
 }  // namespace lavaray

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "image/image.hpp"
 #include "image/png_file.hpp"
@@ -32,15 +33,16 @@ void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const
 // Throws Error(kOutput) where a BMP file would be larger than its header can say.
 void checkBmpSize(int width, int height);
 
-// Throws Error(kInput) where the file cannot be read as its ending says. 8-bit values v become v / 255.
+// Of any of the formats, PGM and PBM, in full depth; the file's bytes say which, whatever its ending. An
+// integer v of a file becomes v / maximum, rounded once. Throws Error(kInput) where the file cannot be read,
+// is damaged, or is of another format or of a variant that is not read.
 Image readImage(const std::filesystem::path& file);
+// The same of the file's bytes; `file` is its name for messages.
+Image parseImage(std::string_view bytes, const std::filesystem::path& file);
 
 // Of a value in [0, 1].
 inline std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
 }
-
-// The values that an 8-bit file of the image holds, in 0..1; what is not a number stays so.
-Image asDisplayed(const Image& image);
 
 }  // namespace lavaray

@@ -2,19 +2,14 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "image/image.hpp"
+#include "image/image_bytes.hpp"
 
 namespace lavaray {
-
-// Keyword and text, such as a PNG file carries. A keyword has 1 to 79 characters of ASCII.
-using TextEntries = std::vector<std::pair<std::string, std::string>>;
 
 // Writes a PNG file row by row, 8 bits a channel, and the texts: as tEXt, or as iTXt, which is UTF-8, where
 // one is not ASCII. Throws Error(kOutput) for what libpng refuses; whether all was written is for the owner
@@ -40,11 +35,8 @@ class PngWriter {
 
 void writePng(const Image& image, const TextEntries& texts, std::FILE* stream);
 
-// An image of any PNG format, its channels rounded to 8 bits, without its alpha channel; a grey image has
-// three equal channels. Throws Error(kInput) where the file cannot be read as PNG.
-Image readPng(const std::filesystem::path& file);
-
-// The texts before and behind the pixels. Throws Error(kInput) where the file cannot be read as PNG.
-TextEntries readPngTexts(const std::filesystem::path& file);
+// An image of any PNG format, in full depth, with the texts before and behind the pixels; a grey image has three equal channels. The numbers are those of the file: what a chunk says of their
+// gamma and colour space is not applied. Throws Error(kInput) where the file cannot be read as PNG.
+Image readPng(const ImageBytes& file);
 
 }  // namespace lavaray

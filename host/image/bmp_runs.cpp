@@ -1,0 +1,95 @@
+#include "image/bmp_runs.hpp"
+
+#include <utility>
+
+namespace lavaray {
+namespace {
+
+class Runs {
+ public:
+  Runs(const ImageBytes& file, const BmpHeader& header)
+      : file_(file),
+        isFourBits_(header.bits == 4),
+        at_(header.pixelsAt),
+        width_(static_cast<std::size_t>(header.width)),
+        pixels_(width_ * static_cast<std::size_t>(header.height)) {
+    // Two bytes are 255 pixels at most.
+    if ((file.bytes.size() - at_) * 128 < pixels_) file.failAsCutOff();
+  }
+
+  std::vector<std::uint8_t> read() {
+    indices_.reserve(pixels_);
+    while (indices_.size() < pixels_) {
+      const std::uint8_t count = next();
+      const std::uint8_t value = next();
+      if (count > 0) {
+        run(count, value);
+      } else if (value > 2) {
+        literal(value);
+      } else {
+        escape(value);
+      }
+    }
+    return std::move(indices_);
+  }
+
+ private:
+  std::uint8_t next() {
+    if (at_ >= file_.bytes.size()) file_.failAsCutOff();
+    return static_cast<std::uint8_t>(file_.bytes[at_++]);
+  }
+
+  void requireRoom(std::size_t count) {
+    if (indices_.size() - rowBegin_ == width_)
+      rowBegin_ += width_;  // rows may follow each other without a word
+    if (indices_.size() - rowBegin_ + count > width_) {
+      file_.fail("is a BMP image with a run of pixels that is longer than the rest of its row");
+    }
+  }
+
+  // With 4 bits a run is of two colours by turns.
+  void run(std::size_t count, std::uint8_t value) {
+    requireRoom(count);
+    for (std::size_t i = 0; i < count; ++i) indices_.push_back(isFourBits_ ? nibble(value, i) : value);
+  }
+
+  // Pixels one by one, padded to an even number of bytes.
+  void literal(std::size_t count) {
+    requireRoom(count);
+    std::uint8_t byte = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!isFourBits_ || i % 2 == 0) byte = next();
+      indices_.push_back(isFourBits_ ? nibble(byte, i) : byte);
+    }
+    const std::size_t bytes = isFourBits_ ? (count + 1) / 2 : count;
+    if (bytes % 2 != 0) (void)next();
+  }
+
+  // The end of a row, the end of the image, a step to the right and up.
+  void escape(std::uint8_t code) {
+    const std::size_t inRow = indices_.size() - rowBegin_;
+    if (code == 0 && inRow == width_) {
+      rowBegin_ = indices_.size();
+      return;
+    }
+    file_.fail("is a BMP image whose run lengths leave pixels out; allowed are those that have every pixel");
+  }
+
+  static std::uint8_t nibble(std::uint8_t byte, std::size_t i) { return i % 2 == 0 ? byte >> 4 : byte & 0xF; }
+
+  const ImageBytes& file_;
+  bool isFourBits_;
+  std::size_t at_;
+  std::size_t width_;
+  std::size_t pixels_;
+  std::size_t rowBegin_ = 0;
+  std::vector<std::uint8_t> indices_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> readBmpRuns(const ImageBytes& file, const BmpHeader& header) {
+  return Runs(file, header).read();
+}
+
+}  // namespace lavaray

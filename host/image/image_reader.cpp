@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "image/bmp_file.hpp"
+#include "image/image_bytes.hpp"
+#include "image/image_file.hpp"
+#include "image/png_file.hpp"
+#include "image/pnm_file.hpp"
+
+namespace lavaray {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Format {
+  const char* name;
+  std::string_view magic;  // how a file of it begins
+  std::string_view endings;
+  Image (*read)(const ImageBytes&);
+};
+
+constexpr std::string_view kPnmEndings = ".ppm .pgm .pbm .pnm ";
+constexpr std::array kFormats{
+    Format{"PNG", "\x89PNG\r\n\x1A\n"sv, ".png ", readPng},
+    Format{"BMP", "BM"sv, ".bmp .dib ", readBmp},
+    Format{"PBM", "P1"sv, kPnmEndings, readPnm},
+    Format{"PGM", "P2"sv, kPnmEndings, readPnm},
+    Format{"PPM", "P3"sv, kPnmEndings, readPnm},
+    Format{"PBM", "P4"sv, kPnmEndings, readPnm},
+    Format{"PGM", "P5"sv, kPnmEndings, readPnm},
+    Format{"PPM", "P6"sv, kPnmEndings, readPnm},
+    Format{"PFM", "PF"sv, ".pfm ", readPfm},
+    Format{"PFM", "Pf"sv, ".pfm ", readPfm},
+};
+constexpr const char* kAllowed = "allowed are BMP, PNG, PPM, PGM, PBM and PFM";
+
+// Kinds of files that are given a name when they are refused.
+struct OtherKind {
+  const char* name;
+  std::string_view magic;
+  std::size_t at = 0;
+};
+constexpr std::array kOtherKinds{
+    OtherKind{"a JPEG image", "\xFF\xD8\xFF"sv},
+    OtherKind{"a JPEG XL image", "\xFF\x0A"sv},
+    OtherKind{"a JPEG XL image", "\0\0\0\x0CJXL "sv},
+    OtherKind{"a JPEG 2000 image", "\0\0\0\x0CjP  "sv},
+    OtherKind{"a GIF image", "GIF8"sv},
+    OtherKind{"a TIFF image", "II*\0"sv},
+    OtherKind{"a TIFF image", "MM\0*"sv},
+    OtherKind{"a TIFF image", "II+\0"sv},
+    OtherKind{"a WebP image", "WEBP"sv, 8},
+    OtherKind{"an AVIF or HEIF image", "ftyp"sv, 4},
+    OtherKind{"an OpenEXR image", "\x76\x2F\x31\x01"sv},
+    OtherKind{"a Radiance image", "#?R"sv},
+    OtherKind{"a PAM image", "P7"sv},
+    OtherKind{"an OS/2 array of bitmaps", "BA"sv},
+    OtherKind{"a Windows icon", "\0\0\x01\0"sv},
+    OtherKind{"a Photoshop image", "8BPS"sv},
+    OtherKind{"a compressed file", "\x1F\x8B"sv},
+    OtherKind{"a compressed file", "BZh"sv},
+    OtherKind{"a compressed file",
+              "\xFD"
+              "7zXZ"sv},
+};
+
+constexpr std::size_t kBeginning = 64;  // enough to tell the kind
+
+// The letters of netpbm's formats are followed by white space or a comment: so text that begins like them, or
+// PF4, is not taken for one.
+bool isOf(const Format& format, std::string_view bytes) {
+  if (!bytes.starts_with(format.magic)) return false;
+  if (format.magic[0] != 'P') return true;
+  return bytes.size() > 2 && (std::isspace(static_cast<unsigned char>(bytes[2])) != 0 || bytes[2] == '#');
+}
+
+const Format& formatOf(const ImageBytes& file) {
+  if (file.bytes.empty()) file.fail("is empty; " + std::string(kAllowed));
+  for (const Format& format : kFormats) {
+    if (isOf(format, file.bytes)) return format;
+  }
+  for (const OtherKind& kind : kOtherKinds) {
+    if (file.bytes.size() >= kind.at && file.bytes.substr(kind.at).starts_with(kind.magic)) {
+      file.fail(std::string("is ") + kind.name + ", which is not read; " + kAllowed);
+    }
+  }
+  file.fail("is no image that can be read; " + std::string(kAllowed));
+}
+
+std::string lowerCaseEnding(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+// An ending that says another format than that of the file's bytes is no error, but worth a word.
+void noteFalseEnding(const std::filesystem::path& file, const Format& format, ImageSource& source) {
+  const std::string ending = lowerCaseEnding(file) + " ";
+  if (format.endings.find(ending) != std::string_view::npos) return;
+  for (const Format& other : kFormats) {
+    if (ending.size() > 1 && other.endings.find(ending) != std::string_view::npos) {
+      source.notes.push_back(std::string("is read as the ") + format.name +
+                             " image that it is, not as its ending says");
+      return;
+    }
+  }
+}
+
+// Appends up to `count` bytes; false where there were fewer.
+bool readOn(std::FILE* stream, std::size_t count, std::string& bytes) {
+  const std::size_t before = bytes.size();
+  bytes.resize(before + count);
+  bytes.resize(before + std::fread(bytes.data() + before, 1, count, stream));
+  return bytes.size() - before == count;
+}
+
+// The bytes of a file that begins like an image; others may have no end.
+std::string readBytes(const std::filesystem::path& file) {
+  std::string bytes;
+  const auto failUnreadable = [&] {
+    ImageBytes{bytes, file}.fail(std::string("cannot be read: ") + std::strerror(errno));
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (!stream) failUnreadable();
+  bool hasMore = readOn(stream.get(), kBeginning, bytes);
+  if (std::ferror(stream.get()) != 0) failUnreadable();
+  (void)formatOf({bytes, file});
+  constexpr std::size_t kChunk = 1 << 16;
+  std::error_code noSize;  // as a pipe has none
+  const std::uintmax_t size = std::filesystem::file_size(file, noSize);
+  if (!noSize) bytes.reserve(static_cast<std::size_t>(size) + kChunk);
+  while (hasMore) hasMore = readOn(stream.get(), kChunk, bytes);
+  if (std::ferror(stream.get()) != 0) failUnreadable();
+  return bytes;
+}
+
+}  // namespace
+
+Image parseImage(std::string_view bytes, const std::filesystem::path& file) {
+  const ImageBytes imageBytes{bytes, file};
+  const Format& format = formatOf(imageBytes);
+  Image image = format.read(imageBytes);
+  image.source.format = format.name;
+  noteFalseEnding(file, format, image.source);
+  return image;
+}
+
+Image readImage(const std::filesystem::path& file) {
+  return parseImage(readBytes(file), file);
+}
+
+}  // namespace lavaray

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "image/image.hpp"
+#include "image/image_bytes.hpp"
+
+namespace lavaray {
+
+// The formats of netpbm: PBM (P1, P4), PGM (P2, P5) and PPM (P3, P6), as text or binary, with any maximum
+// from 1 to 65535. A grey image has three equal channels. Throws Error(kInput).
+Image readPnm(const ImageBytes& file);
+
+// PFM, in colour (PF) and grey (Pf), of either byte order. The magnitude of its scale is not applied: of the
+// programs that read PFM some multiply by it, some divide, some leave it. Throws Error(kInput).
+Image readPfm(const ImageBytes& file);
+
+}  // namespace lavaray
