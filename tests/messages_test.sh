@@ -108,6 +108,7 @@ done
 printf 'P6\n1000000 1000000\n255\n' >huge.ppm
 printf 'PF\n-5 100000\n-1\n' >huge.pfm
 printf 'P6\n99999999999999999999 1\n255\n' >endless.ppm
+for file in "$corpus"/image/*; do fails '0|3' "$diff" --info "$file"; done
 for file in folder.png huge.ppm huge.pfm endless.ppm "$scene"; do fails 3 "$diff" "$file" "$file"; done
 
 # Films

@@ -38,16 +38,11 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   CLI::App app("Compares two images, or says what one is.", "lavaray-diff");
   app.set_version_flag("--version", std::string("lavaray-diff ") + kVersion);
   app.footer(
-      "An image is read as what its bytes say, whatever its ending, in full depth; PNG's gAMA and PFM's "
-      "scale\n"
-      "are not applied. A pixel differs where a channel does, alpha included; an image without alpha is "
-      "opaque.\n"
-      "FLIP sees images with alpha over black and over white, and the larger counts. Where one image has "
-      "floats\n"
-      "and the other integers up to M, a float c is compared as trunc(M c), which is what lavaray writes.\n"
-      "Infinity or NaN in one image alone is beyond every limit, and magenta in the picture; what is the "
-      "same in\n"
-      "both is equal. All figures are over the pixels that are finite in both.\n"
+      "An image is what its bytes say, whatever its ending. An image without alpha is opaque; FLIP sees alpha\n"
+      "over black and over white, and the larger counts. Where one image has floats c and the other integers up\n"
+      "to M, they are compared as trunc(M c), which is what lavaray writes. Infinity or NaN in one image alone\n"
+      "is beyond every limit and magenta in the picture; the same in both is equal. Figures are over the pixels\n"
+      "that are finite in both.\n"
       "\n"
       "Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
       "2 usage, 3 an image cannot be read, 5 output not written, 6 not enough memory, 10 the images differ.");

@@ -5,7 +5,6 @@
 #include <string>
 #include <system_error>
 
-#include "core/numbers.hpp"
 #include "core/place.hpp"
 #include "image/pnm_file.hpp"
 #include "image/pnm_words.hpp"
@@ -13,16 +12,16 @@
 namespace lavaray {
 namespace {
 
-// Not 0: its sign says the order of the bytes.
+// 1 or -1. Of any other magnitude programs make different numbers: some multiply by it, some divide, some leave it.
 double readScale(const ImageBytes& file, PnmWords& words) {
   const std::string_view text = words.word();
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
   double scale = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), scale);
   const bool isRead = error == std::errc() && end == digits.data() + digits.size();
-  if (isRead && std::isfinite(scale) && scale != 0.0) return scale;
+  if (isRead && std::abs(scale) == 1.0) return scale;
   file.fail("its scale is " + quoted(text) +
-            "; allowed are the numbers below 0, for floats with the lowest byte first, and above");
+            "; allowed are 1 and -1, since programs multiply by any other, divide by it or leave it");
 }
 
 }  // namespace
@@ -45,10 +44,6 @@ Image readPfm(const ImageBytes& file) {
       if (scale > 0.0) bits = bits << 24 | (bits & 0xFF00) << 8 | (bits >> 8 & 0xFF00) | bits >> 24;
       image.rgb[y * 3 * image.width + i] = std::bit_cast<float>(bits);
     }
-  }
-  if (std::abs(scale) != 1.0) {
-    image.source.notes.push_back("the scale " + numberText(std::abs(scale)) +
-                                 " in its header is not applied; its numbers are taken as they are");
   }
   return image;
 }

@@ -9,8 +9,7 @@ namespace lavaray {
 // from 1 to 65535. A grey image has three equal channels. Throws Error(kInput).
 Image readPnm(const ImageBytes& file);
 
-// PFM, in colour (PF) and grey (Pf), of either byte order. The magnitude of its scale is not applied: of the
-// programs that read PFM some multiply by it, some divide, some leave it. Throws Error(kInput).
+// PFM, in colour (PF) and grey (Pf), of either byte order, with a scale of 1. Throws Error(kInput).
 Image readPfm(const ImageBytes& file);
 
 }  // namespace lavaray
