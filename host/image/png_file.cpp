@@ -62,6 +62,8 @@ class Reader {
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) throw std::bad_alloc();
     png_set_read_fn(png_, this, onRead);
+    // No chunk is longer than the file; what one unpacks to may be.
+    png_set_chunk_malloc_max(png_, std::max<std::size_t>(file.bytes.size(), 8'000'000));
     // A damaged chunk of transparency must not become an image without it.
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   }
