@@ -9,7 +9,7 @@ from pathlib import Path
 ESTIMATE_ROWS = 96
 # What a row costs beside the tests of its rays, as a share of the mean row's tests: where there is nothing to test, its
 # samples are taken nevertheless.
-BESIDE_TESTS = 0.1
+BESIDE_TESTS = 0.2
 
 
 def read_pfm(file):
