@@ -11,7 +11,7 @@ float lightness(const glm::vec3& srgb) {
   return labFromLinear({linearFromSrgb(srgb.r), linearFromSrgb(srgb.g), linearFromSrgb(srgb.b)}).x;
 }
 
-// A value that is larger by a hundredth is lighter by a unit in the mean, and nowhere by less than a third of it.
+// A value that is larger by a hundredth is lighter by a unit in the mean, and by a third of it anywhere.
 TEST(FalseColor, GrowsLighterAllTheWay) {
   EXPECT_EQ(falseColor(0.0F), glm::vec3(0.0F));
   EXPECT_EQ(falseColor(1.0F), glm::vec3(1.0F));

@@ -121,8 +121,8 @@ void addViewOption(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--view", [&options](const std::string& name) { options.view = viewNamed(name).value(); },
          "What the image shows; depth is in proportion to the largest, shadow the share of the lights that "
-         "are not blocked, cost (nodes and primitives that a sample's rays test) and samples in proportion to "
-         "the most, error as estimated, in units of a colour, with --target-error")
+         "are not blocked, cost (nodes and primitives that a sample's rays test) and samples in proportion "
+         "to the most, error as estimated, in units of a colour, with --target-error")
       ->type_name("NAME")
       ->check(
           [](const std::string& name) {

@@ -27,7 +27,8 @@ std::optional<std::string> describeScale(View view, const RenderStatistics& resu
   if (view != View::kCost) return std::nullopt;
   if (result.largestMeasure <= 0.0) return "no ray tests a node or a primitive";
   std::ostringstream text;
-  text.precision(std::numeric_limits<float>::max_digits10);  // so that it is the very number that values are parts of
+  // So that it is the very number that the values are parts of.
+  text.precision(std::numeric_limits<float>::max_digits10);
   text << "white is " << result.largestMeasure << " nodes and primitives tested for a sample";
   return text.str();
 }

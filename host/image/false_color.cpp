@@ -8,12 +8,9 @@ namespace {
 
 // As sRGB. Their lightness L* is 0, 23, 42, 63, 82 and 100.
 constexpr std::size_t kIntervals = 5;
-const std::array<glm::vec3, kIntervals + 1> kColors = {glm::vec3(0.0F),
-                                                       {0.20F, 0.12F, 0.58F},
-                                                       {0.74F, 0.12F, 0.40F},
-                                                       {0.95F, 0.45F, 0.10F},
-                                                       {0.98F, 0.77F, 0.22F},
-                                                       glm::vec3(1.0F)};
+const std::array<glm::vec3, kIntervals + 1> kColors = {glm::vec3(0.0F),       {0.20F, 0.12F, 0.58F},
+                                                       {0.74F, 0.12F, 0.40F}, {0.95F, 0.45F, 0.10F},
+                                                       {0.98F, 0.77F, 0.22F}, glm::vec3(1.0F)};
 
 }  // namespace
 

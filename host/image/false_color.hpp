@@ -6,8 +6,9 @@
 
 namespace lavaray {
 
-// A colour for a value from 0 to 1: black, blue, crimson, orange, yellow, white. Each fifth of the scale is about as
-// much lighter as any other, so the order of values can be seen, in grey print and by the colour-blind, too.
+// A colour for a value from 0 to 1: black, blue, crimson, orange, yellow, white. Each fifth of the scale is
+// about as much lighter as any other, so the order of values can be seen, in grey print and by the
+// colour-blind, too.
 glm::vec3 falseColor(float value);
 
 // Of an image whose three channels are equal.

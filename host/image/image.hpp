@@ -31,7 +31,7 @@ struct Image {
   ImageSource source{};
 };
 
-// Stretches the values so that the largest is 1; a black image stays black. Returns what the largest was, or 0.
+// Stretches the values so that the largest is 1; a black image stays black. Returns what the largest was.
 float normalize(Image& image);
 
 struct Rectangle {

@@ -76,8 +76,7 @@ void FixedSampling::take(std::uint64_t first, std::span<const gpu::WorkResult> r
 
 void FixedSampling::copyValues(std::span<glm::vec3> values) const {
   for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
-    values[pixel] = measured_.empty() ? glm::vec3(sums_[pixel].mean())
-                                      : glm::vec3(measuredValue(pixel));
+    values[pixel] = measured_.empty() ? glm::vec3(sums_[pixel].mean()) : glm::vec3(measuredValue(pixel));
   }
 }
 

@@ -34,7 +34,7 @@ struct RenderStatistics {
   std::uint64_t skippedPixels = 0;  // known to be black without a sample
   TraceCounts counts;               // of this process
   std::size_t deviceBytes = 0;
-  double largestMeasure = 0.0;  // of a pixel, where the view is a measure and the image has been taken: that is 1 there
+  double largestMeasure = 0.0;  // which is 1 in the image, where the view is a measure; once it is taken
 };
 
 struct RenderResult : RenderStatistics {

@@ -63,7 +63,8 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
   return values;
 }
 
-// Where nothing is, a sample is black, unless a shader of the user's knows better. One sample of each pixel is as fast as a list of the pixels where something is.
+// Where nothing is, a sample is black, unless a shader of the user's knows better. One sample of each pixel
+// is as fast as a list of the pixels where something is.
 bool skipsTiles(const GpuScene& scene, const RenderSettings& settings) {
   if (!settings.specialized || takesCenterOnly(settings) || !settings.shader.empty()) return false;
   return scene.planes.empty() && !scene.hasFewPrimitives;

@@ -59,8 +59,8 @@ TEST(Cost, IsThatOfAllPrimitivesWhereTheyAreFew) {
   scene.lights = {ambientLight({3, 9, 3}), ambientLight({3, 0, -30})};
   for (const std::uint32_t samples : {1U, 4U}) {
     const RenderResult result = renderScene(scene, costSettings(samples));
-    // The camera ray tests three. From the ball each shadow ray tests the planes, but the second one is blocked by the
-    // first of them; from the plane they test the ball and the other plane.
+    // The camera ray tests three. From the ball each shadow ray tests the planes, but the second one is
+    // blocked by the first of them; from the plane they test the ball and the other plane.
     EXPECT_EQ(result.largestMeasure, 3 + 2 + 2);
     EXPECT_EQ(costAt(result, 0, 0), 3 + 2 + 2);
     EXPECT_NEAR(costAt(result, kSide / 2, kSide / 2), 3 + 2 + 1, 1e-6);
@@ -79,8 +79,8 @@ TEST(Cost, IsThatOfThePlanesAloneWhereNothingElseIs) {
   }
 }
 
-// Each of three balls is tested by each ray that does not leave it: camera, mirror and shadow rays, in all directions
-// to a spherical light.
+// Each of three balls is tested by each ray that does not leave it: camera, mirror and shadow rays, in all
+// directions to a spherical light.
 TEST(Cost, AddsUpToTheTestsOfAllRays) {
   Scene scene = emptyScene();
   Material mirror = glow(glm::dvec3(0.1));
@@ -123,7 +123,8 @@ TEST(Cost, DoesNotDependOnDispatches) {
 TEST(Cost, AddsUpOverDispatches) {
   constexpr std::uint32_t kLights = 700;
   Scene scene = emptyScene();
-  for (int i = 0; i < 20; ++i) addBall(scene, {3 + 0.1 * i, 30, -9}, 0.02, glow(glm::dvec3(0.5)));  // out of sight
+  for (int i = 0; i < 20; ++i)
+    addBall(scene, {3 + 0.1 * i, 30, -9}, 0.02, glow(glm::dvec3(0.5)));  // out of sight
   scene.planes.push_back({{0, 0, 1}, {0, 0, -9}, addObject(scene, glow(glm::dvec3(0.01)))});
   RenderSettings settings = costSettings();
   const double ofCamera = renderScene(scene, settings).largestMeasure;

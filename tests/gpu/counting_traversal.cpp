@@ -92,9 +92,8 @@ bool visit(const GpuScene& scene, gpu::uint reference, CountedSearch& search) {
   ++search.tests;
   const gpu::BvhNode& node = scene.nodes[reference];
   const std::vector<Child> children = enteredChildren(node, search);
-  return std::all_of(children.begin(), children.end(), [&](const Child& child) {
-    return visit(scene, node.children[child.slot], search);
-  });
+  return std::all_of(children.begin(), children.end(),
+                     [&](const Child& child) { return visit(scene, node.children[child.slot], search); });
 }
 
 }  // namespace

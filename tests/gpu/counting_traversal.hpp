@@ -8,9 +8,9 @@
 
 namespace lavaray {
 
-// A search for the first of the scene's spheres that a ray hits, or for any of them, in double precision and by
-// recursion, with the tree and the order of the shader's: so it tests the same nodes and primitives, unless rounding
-// may decide.
+// A search for the first of the scene's spheres that a ray hits, or for any of them, in double precision and
+// by recursion, with the tree and the order of the shader's: so it tests the same nodes and primitives,
+// unless rounding may decide.
 struct CountedSearch {
   glm::dvec3 origin;
   glm::dvec3 direction;

@@ -69,8 +69,8 @@ TEST(ManyLights, AreLookedAtInAllDirectionsAtEachBounce) {
   const Material mirror{.ambient = {0.25, 0.0, 0.0}, .reflectance = glm::dvec3(0.25)};
   for (const std::size_t lights : {2U, 12'000U, 25'000U}) {
     Scene scene = wallBeforeLights(mirror, lights, 1.0);
-    // The mirrors fill the left half of the image: beside them a camera ray tests their four triangles in vain.
-    // Another ray does not test the one that it leaves.
+    // The mirrors fill the left half of the image: beside them a camera ray tests their four triangles in
+    // vain. Another ray does not test the one that it leaves.
     scene.planes.clear();
     addParallelogram(scene, mirror, {-50, -50, -4}, {0, -50, -4}, {0, 50, -4});
     addParallelogram(scene, mirror, {-50, -50, 4}, {0, -50, 4}, {0, 50, 4});
@@ -86,8 +86,8 @@ TEST(ManyLights, AreLookedAtInAllDirectionsAtEachBounce) {
     for (std::size_t x = 0; x < 8; ++x) {
       EXPECT_EQ(result.image.rgb[3 * x], x < 4 ? 1.0F : 4.0F / static_cast<float>(tests)) << "pixel " << x;
     }
-    std::cout << lights << " lights: " << result.largestMeasure << " tests in "
-              << result.counts.dispatches << " dispatches\n";
+    std::cout << lights << " lights: " << result.largestMeasure << " tests in " << result.counts.dispatches
+              << " dispatches\n";
   }
 }
 
