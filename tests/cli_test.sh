@@ -150,7 +150,7 @@ holds 'a scene error leaves the statistics alone' grep -qx 'precious' kept.json
 expect 0 '' "$lavaray" "$scene" --check --json stats.json --width 77
 json_has "set(s) == set('schema lavaray scene picture'.split()) and s['picture']['width'] == 77"
 expect 5 'cannot be written' "$lavaray" "$scene" --check --json no-such-folder/stats.json
-expect 2 '--output and --json are both ./one.ppm' "$lavaray" "$scene" -o ./one.ppm --json one.ppm
+expect 2 '--output ./one.ppm and --json one.ppm are the same file' "$lavaray" "$scene" -o ./one.ppm --json one.ppm
 
 ln -s target.png link.png
 printf 'old' >target.png

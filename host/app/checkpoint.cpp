@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "core/errors.hpp"
-#include "image/output_file.hpp"
 
 namespace lavaray {
 namespace {
@@ -40,18 +39,18 @@ void resume(const std::filesystem::path& file, const Identity& identity, const R
   render.goOnFrom(film);
 }
 
-Checkpoint::Checkpoint(const std::filesystem::path& file, double everySeconds, const Identity& identity)
+Checkpoint::Checkpoint(const OutputName& file, double everySeconds, const Identity& identity)
     : file_(file), every_(everySeconds), identity_(identity) {
   // Found out now, not after an hour; what is there stays.
-  if (!file_.empty()) OutputFile attempt(file_);
+  if (!file_.file.empty()) OutputFile attempt(file_);
 }
 
 void Checkpoint::saveIfDue(const Render& render) {
-  if (!file_.empty() && Clock::now() - last_ >= every_) save(render);
+  if (!file_.file.empty() && Clock::now() - last_ >= every_) save(render);
 }
 
 void Checkpoint::save(const Render& render) {
-  if (file_.empty()) return;
+  if (file_.file.empty()) return;
   OutputFile output(file_);
   render.writeFilm(output.stream(), identity_);
   output.commit();

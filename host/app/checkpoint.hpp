@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "film/film.hpp"
+#include "image/output_file.hpp"
 #include "render/renderer.hpp"
 
 namespace lavaray {
@@ -17,14 +18,14 @@ void resume(const std::filesystem::path& file, const Identity& identity, const R
 class Checkpoint {
  public:
   // No file, no checkpoint. Throws Error(kOutput) where the file cannot be written.
-  Checkpoint(const std::filesystem::path& file, double everySeconds, const Identity& identity);
+  Checkpoint(const OutputName& file, double everySeconds, const Identity& identity);
 
   void saveIfDue(const Render& render);
   void save(const Render& render);
 
  private:
   using Clock = std::chrono::steady_clock;
-  const std::filesystem::path& file_;
+  OutputName file_;
   std::chrono::duration<double> every_;
   const Identity& identity_;
   Clock::time_point last_ = Clock::now();

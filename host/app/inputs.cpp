@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/file_claims.hpp"
 #include "core/parallel.hpp"
 #include "core/scene_reader.hpp"
 
@@ -28,11 +29,22 @@ bool Inputs::readScene(const Files& changed) {
   if (gpuScene_ && !flattened_) flattened_ = std::move(scene_);
   scene_ = std::move(scene);
   changed_.clear();
+  forgetFormerFiles();
   return true;
+}
+
+// What only an earlier state of the scene names may be written again.
+void Inputs::forgetFormerFiles() {
+  for (const fs::path& file : notedFiles_) {
+    if (std::find(sceneFiles_.begin(), sceneFiles_.end(), file) == sceneFiles_.end()) forgetRead(file);
+  }
+  notedFiles_ = {sceneFiles_.begin(), sceneFiles_.end()};
 }
 
 Mesh Inputs::readMesh(const fs::path& file) {
   sceneFiles_.push_back(file);
+  noteRead(file, "the mesh");
+  notedFiles_.insert(file);
   if (scene_ && !changed_.contains(file)) {
     const auto known = std::find_if(scene_->meshes.begin(), scene_->meshes.end(),
                                     [&](const Mesh& mesh) { return mesh.file == file; });
@@ -42,7 +54,18 @@ Mesh Inputs::readMesh(const fs::path& file) {
 }
 
 bool Inputs::compileShaders(const Files& changed) {
-  return shader_.compile(changed, scene_ && hasFewPrimitives(*scene_), warnings_);
+  // Another process reads them.
+  const auto noteFiles = [this] {
+    for (const fs::path& file : shader_.files()) noteRead(file, "the shader");
+  };
+  try {
+    const bool isNew = shader_.compile(changed, scene_ && hasFewPrimitives(*scene_), warnings_);
+    noteFiles();
+    return isNew;
+  } catch (const ShaderError&) {
+    noteFiles();
+    throw;
+  }
 }
 
 void Inputs::flatten() {

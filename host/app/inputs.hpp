@@ -45,11 +45,13 @@ class Inputs {
 
  private:
   Mesh readMesh(const std::filesystem::path& file);
+  void forgetFormerFiles();
 
   const Options& options_;
   UserShader& shader_;
   Files sceneFiles_;                         // the scene's and its meshes'
   std::set<std::filesystem::path> changed_;  // of them, those that were not read with success since
+  std::set<std::filesystem::path> notedFiles_;  // by noteRead, for the scene
   std::optional<Scene> scene_;
   std::optional<Scene>
       flattened_;  // the scene that gpuScene_ was made from, where there was a newer one since

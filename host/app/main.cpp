@@ -7,6 +7,7 @@
 #include "app/render_scenes.hpp"
 #include "app/watch_scene.hpp"
 #include "core/camera.hpp"
+#include "core/file_claims.hpp"
 #include "core/scene_reader.hpp"
 #include "image/output_file.hpp"
 #include "vulkan/driver_survey.hpp"
@@ -29,13 +30,16 @@ ExitCode run(const Options& options) {
     listDevices(options);
     return ExitCode::kSuccess;
   }
+  noteRead(options.scene, "the scene");
+  if (!options.resume.empty()) noteRead(options.resume, "the film");
+  checkOutputs(outputNames(options));
   if (options.check) {
     const Scene scene = readScene(options.scene);
     printWarnings(std::cerr, scene.warnings);
     const ImageSize size = outputSize(options, imageSize(scene.camera).value());
     printScene(std::cerr, scene);
     if (!options.json.empty()) {
-      OutputFile file(options.json);
+      OutputFile file({"--json", options.json});
       writeJsonCheck(file.stream(), scene, size);
       file.commit();
     }

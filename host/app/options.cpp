@@ -23,7 +23,8 @@ void addRenderOptions(CLI::App& app, Options& options) {
          "Image to write; its ending says the format: .bmp, .png or .ppm (8 bits a channel), .pfm "
          "(float) or .film (a part for lavaray-merge). '-' writes PPM to stdout. Default: SCENE's name "
          "with .bmp, in the current folder")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(fileName());
   const CLI::Validator side = integerFrom(1, kMaxImageSide);
   app.add_option("--width", options.width, "Width in pixels of the same view; without --height by its aspect")
       ->type_name("W")
@@ -151,7 +152,8 @@ void addSceneOptions(CLI::App& app, Options& options) {
 void addFilmOptions(CLI::App& app, Options& options) {
   CLI::Option* checkpoint = app.add_option("--checkpoint", options.checkpoint,
                                            "Keep in FILE what is rendered so far, to be resumed from")
-                                ->type_name("FILE");
+                                ->type_name("FILE")
+                                ->check(fileNameNotStdout());
   app.add_option("--checkpoint-every", options.checkpointSeconds, "Seconds from one checkpoint to the next")
       ->type_name("S")
       ->check(numberFrom(0.0, 1e9))
@@ -159,7 +161,8 @@ void addFilmOptions(CLI::App& app, Options& options) {
       ->needs(checkpoint);
   app.add_option("--resume", options.resume,
                  "Go on from the checkpoint FILE of the same picture; bit for bit as if never stopped")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(fileName());
 }
 
 void addInteractiveOptions(CLI::App& app, Options& options) {
@@ -168,7 +171,8 @@ void addInteractiveOptions(CLI::App& app, Options& options) {
   app.add_flag("--watch", options.watch,
                "Render again whenever the scene, its meshes or a shader of --shaders changes");
   app.add_option("--shaders", options.shaders, "Compile the shaders in DIR in place of those in the program")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(fileName());
 }
 
 void addOtherOptions(CLI::App& app, Options& options) {
@@ -182,8 +186,10 @@ void addOtherOptions(CLI::App& app, Options& options) {
   app.add_flag("--stats", options.stats, "Say where time and memory went, and what was done");
   app.add_option(
          "--json", options.json,
-         "Write what --stats says to FILE, as JSON; with --check what that says, and the picture's size")
-      ->type_name("FILE");
+         "Write what --stats says to FILE, as JSON; with --check what that says, and the picture's size. "
+         "JSON does not go to stdout: '-' is refused")
+      ->type_name("FILE")
+      ->check(fileNameNotStdout());
   app.add_flag("--validate", options.validate,
                "Run under the Khronos validation layer; its messages make the exit code 1");
   CLI::Option* quiet = app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");
@@ -202,19 +208,6 @@ void checkOutput(const std::string& output) {
   if (output == "-" || imageFormat(output) || isFilm(output)) return;
   throw Error(ExitCode::kUsage, "--output " + output + ": its ending says no image format; allowed are " +
                                     kImageFormatNames + " and .film, or - for PPM to stdout");
-}
-
-// Two files of one name would replace one another.
-void checkNames(const Options& options) {
-  const std::pair<std::string, std::filesystem::path> files[] = {
-      {"--output", options.output}, {"--json", options.json}, {"--checkpoint", options.checkpoint}};
-  for (const auto& [name, file] : files) {
-    for (const auto& [otherName, other] : files) {
-      if (name == otherName || file.empty() || file.lexically_normal() != other.lexically_normal()) continue;
-      throw Error(ExitCode::kUsage, name + " and " + otherName + " are both " + file.string() +
-                                        "; give them files of their own");
-    }
-  }
 }
 
 void checkFilms(const Options& options) {
@@ -269,8 +262,19 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   checkOutput(options.output);
   checkSampleRange(options);
   checkFilms(options);
-  checkNames(options);
   return options;
+}
+
+std::vector<OutputName> outputNames(const Options& options) {
+  std::vector<OutputName> names;
+  if (!options.check && options.output != "-") names.push_back({"--output", options.output});
+  if (!options.json.empty()) names.push_back({"--json", options.json});
+  if (!options.check && !options.checkpoint.empty()) names.push_back(checkpointName(options));
+  return names;
+}
+
+OutputName checkpointName(const Options& options) {
+  return {"--checkpoint", options.checkpoint, options.resume};
 }
 
 bool writesFilm(const Options& options) {

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/camera.hpp"
 #include "core/scene.hpp"
 #include "image/image.hpp"
+#include "image/output_file.hpp"
 #include "render/settings.hpp"
 
 namespace lavaray {
@@ -56,6 +58,11 @@ std::optional<Options> parseOptions(int argc, const char* const* argv);
 ImageSize outputSize(const Options& options, const ImageSize& cameraSize);
 
 bool writesFilm(const Options& options);  // in place of a picture
+
+// The files that are to be written.
+std::vector<OutputName> outputNames(const Options& options);
+// The one among them that may take the place of the film that is resumed from.
+OutputName checkpointName(const Options& options);
 
 // Gives materials and lights that say nothing of it the reflectance and the radius that the options ask for.
 void applyDefaults(const Options& options, Scene& scene);

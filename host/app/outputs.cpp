@@ -18,23 +18,24 @@ bool isStdoutWritable() {
 
 Outputs::Outputs(const Options& options) : hasFilm_(writesFilm(options)) {
   if (options.output != "-") {
-    output_.emplace(options.output);
-  } else if (!isStdoutWritable()) {
-    throw Error(ExitCode::kOutput,
-                "the image cannot be written to stdout, which is closed or open for reading only");
+    output_.emplace(OutputName{"--output", options.output});
+  } else {
+    if (!isStdoutWritable()) {
+      throw Error(ExitCode::kOutput,
+                  "the image cannot be written to stdout, which is closed or open for reading only");
+    }
+    checkNotRead(STDOUT_FILENO, "stdout");
+    stdout_.emplace(STDOUT_FILENO);
   }
   if (output_ && !hasFilm_) format_ = imageFormat(options.output).value();
-  if (!options.json.empty()) json_.emplace(options.json);
+  if (!options.json.empty()) json_.emplace(OutputName{"--json", options.json});
 }
 
 void Outputs::writePicture(const Image& image, const TextEntries& origin) {
-  writeImage(image, format_, output_ ? output_->stream() : stdout, origin);
+  writeImage(image, format_, output_ ? output_->stream() : stdout_->get(), origin);
   if (output_) return output_->commit();
-  // A write that failed earlier is remembered by the stream alone.
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    throw Error(ExitCode::kOutput,
-                "the image cannot be written to stdout: is there room, and does anyone read?");
-  }
+  if (const std::string reason = stdout_->flush(); !reason.empty())
+    throw Error(ExitCode::kOutput, "the image cannot be written to stdout: " + reason);
 }
 
 void Outputs::writeFilm(const Render& render, const Identity& identity) {

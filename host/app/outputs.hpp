@@ -15,7 +15,7 @@ namespace lavaray {
 // that cannot be written to is found out before the work; what is not written stays as it was.
 class Outputs {
  public:
-  // Throws Error(kOutput) where one cannot be written.
+  // Throws Error(kOutput) where one cannot be written, Error(kUsage) where it is a file that is read.
   explicit Outputs(const Options& options);
 
   // Writes the picture, or the film in its place, to its file or to stdout. Throws Error(kOutput) where not
@@ -33,7 +33,8 @@ class Outputs {
  private:
   bool hasFilm_;
   ImageFormat format_ = ImageFormat::kPpm;
-  std::optional<OutputFile> output_;  // of the picture or the film; none is stdout
+  std::optional<OutputFile> output_;  // of the picture or the film; or else
+  std::optional<CheckedStream> stdout_;
   std::optional<OutputFile> json_;
 };
 

@@ -80,7 +80,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   viewer_.open(size);
 
   const Identity identity = keepsFilm(options_) ? describeIdentity(options_, scene, settings) : Identity{};
-  Checkpoint checkpoint(options_.checkpoint, options_.checkpointSeconds, identity);
+  Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
   Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
   if (!options_.resume.empty()) {
     resume(options_.resume, identity, settings, open.device.description().name, render);

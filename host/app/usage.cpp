@@ -77,6 +77,18 @@ CLI::Validator integerFrom(std::int64_t least) {
                 std::to_string(least) + " or more");
 }
 
+CLI::Validator fileName() {
+  return {[](const std::string& name) { return name.empty() ? "an empty name is none" : std::string(); }, ""};
+}
+
+CLI::Validator fileNameNotStdout() {
+  return {[](const std::string& name) {
+            if (name == "-") return std::string("- is stdout, which is for pictures; name a file");
+            return fileName()(name);
+          },
+          ""};
+}
+
 bool parseCommandLine(CLI::App& app, int argc, const char* const* argv) {
   app.set_help_all_flag("--help-table")->group("");
   try {

@@ -19,6 +19,10 @@ CLI::Validator numberFrom(double least);
 CLI::Validator integerFrom(std::int64_t least, std::int64_t most);
 CLI::Validator integerFrom(std::int64_t least);
 
+// The option's value must name something; the second is for files that stdout does not stand for.
+CLI::Validator fileName();
+CLI::Validator fileNameNotStdout();
+
 // Parses the command line. False where it asked for help or the version, which are printed then. Throws
 // Error(kUsage).
 bool parseCommandLine(CLI::App& app, int argc, const char* const* argv);

@@ -4,6 +4,9 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/file_claims.hpp"
+#include "core/place.hpp"
+
 namespace lavaray {
 namespace {
 
@@ -16,7 +19,9 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 
-ByteReader::ByteReader(const std::filesystem::path& file) : stream_(std::fopen(file.c_str(), "rb")) {
+ByteReader::ByteReader(const std::filesystem::path& file) {
+  noteRead(file);
+  stream_.reset(std::fopen(file.c_str(), "rb"));
   if (!stream_) throwSystemError();
 }
 

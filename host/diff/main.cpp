@@ -11,6 +11,7 @@
 #include "app/usage.hpp"
 #include "app/version.hpp"
 #include "core/errors.hpp"
+#include "core/file_claims.hpp"
 #include "core/parallel.hpp"
 #include "core/place.hpp"
 #include "image/difference.hpp"
@@ -64,7 +65,8 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   app.add_option(
          "-o,--output", options.output,
          "Picture of the difference to write (.bmp, .png, .ppm, .pfm), the largest as 1, alpha's as grey")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(fileName());
   CLI::Option* info = app.add_flag("--info", options.info, "Print size, format and texts of IMAGE alone");
   for (const char* other :
        {"REFERENCE", "--tolerance", "--max-differing", "--max-rmse", "--max-flip", "--output"}) {
@@ -156,6 +158,10 @@ void printNotFinite(const Difference& difference) {
 }
 
 ExitCode diff(const DiffOptions& options) {
+  noteRead(options.image, "the image");
+  noteRead(options.reference, "the image");
+  const OutputName output{"--output", options.output};
+  if (!options.output.empty()) checkOutputs({&output, 1});
   Image image = readImage(options.image);
   Image reference = readImage(options.reference);
   std::cout << "size         " << image.width << " x " << image.height << '\n';
@@ -175,7 +181,7 @@ ExitCode diff(const DiffOptions& options) {
   printAlpha(image, reference, difference.alpha);
   printNotFinite(difference);
   if (!options.output.empty()) {
-    OutputFile file(options.output);
+    OutputFile file(output);
     writeImage(differencePicture(image, reference), imageFormat(options.output).value(), file.stream());
     file.commit();
   }

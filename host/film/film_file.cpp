@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/errors.hpp"
+#include "core/file_claims.hpp"
 #include "core/text_file.hpp"
 #include "interface.h"
 
@@ -135,7 +136,9 @@ void FilmWriter::finish() {
 }
 
 FilmReader::FilmReader(const std::filesystem::path& file)
-    : file_(file), stream_(std::fopen(file.c_str(), "rb")) {
+    : file_(file) {
+  noteRead(file, "the film");
+  stream_ = std::fopen(file.c_str(), "rb");
   if (stream_ == nullptr) fail(std::string("cannot be read: ") + std::strerror(errno));
   try {
     readHeader();

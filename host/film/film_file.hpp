@@ -58,7 +58,7 @@ class FilmReader {
   [[nodiscard]] std::uint64_t pixelBytes() const;
 
   std::filesystem::path file_;
-  std::FILE* stream_;
+  std::FILE* stream_ = nullptr;
   FilmHeader header_;
   std::uint64_t pixelsBegin_ = 0;  // in the file
 };

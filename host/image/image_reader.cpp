@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/file_claims.hpp"
 #include "image/bmp_file.hpp"
 #include "image/image_bytes.hpp"
 #include "image/image_file.hpp"
@@ -125,6 +126,7 @@ bool readOn(std::FILE* stream, std::size_t count, std::string& bytes) {
 
 // The bytes of a file that begins like an image; others may have no end.
 std::string readBytes(const std::filesystem::path& file) {
+  noteRead(file, "the image");
   std::string bytes;
   const auto failUnreadable = [&] {
     ImageBytes{bytes, file}.fail(std::string("cannot be read: ") + std::strerror(errno));

@@ -1,110 +1,87 @@
 #include "image/output_file.hpp"
 
 #include <fcntl.h>
-#include <stdio_ext.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <utility>
+#include <list>
+#include <system_error>
 
 #include "core/errors.hpp"
-#include "core/place.hpp"
+#include "core/printable.hpp"
 
 namespace lavaray {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, const std::string& why) {
-  throw Error(ExitCode::kOutput, printable(path.native()) + ": cannot be written: " + why);
+[[noreturn]] void fail(const fs::path& name, const std::string& why) {
+  throw Error(ExitCode::kOutput, printable(name.native()) + ": cannot be written: " + why);
 }
 
-// The mode that a file made by open(2) would have; the one of mkstemp is private to its owner.
-mode_t ordinaryMode() {
-  const mode_t mask = umask(0);
-  umask(mask);
-  return 0666 & ~mask;
-}
-
-// Names of the files that are being written, where a signal handler can read them; more than a program ever
-// writes at a time.
-std::array<std::atomic<const char*>, 16> temporaries{};
-static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler may read it");
-
-void replaceTemporary(const char* before, const char* after) {
-  for (std::atomic<const char*>& temporary : temporaries) {
-    const char* expected = before;
-    if (temporary.compare_exchange_strong(expected, after)) return;
+WriteTarget findTarget(const fs::path& name) {
+  try {
+    return WriteTarget(name);
+  } catch (const std::system_error& error) {
+    fail(name, error.code().message());
   }
+}
+
+bool isMountPoint(const fs::path& file) {
+  struct statx status {};
+  return statx(AT_FDCWD, file.c_str(), AT_SYMLINK_NOFOLLOW, 0, &status) == 0 &&
+         (status.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+}
+
+// Why no other file can take the place of this one; empty where one can. The system itself is asked: rmdir()
+// refuses any ordinary file, but says so only where it might be taken out of its folder. It might not where
+// it is immutable, or another user's in a sticky folder.
+std::string whyIrreplaceable(const fs::path& file) {
+  if (isMountPoint(file)) return "something is mounted there";
+  if (rmdir(file.c_str()) == 0 || errno == ENOTDIR) return {};
+  return std::strerror(errno);
 }
 
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& path) : path_(path) {
-  std::error_code none;
-  // Through a symbolic link the file it points to is replaced, not the link.
-  if (fs::is_symlink(path_, none)) {
-    std::error_code endless;
-    path_ = fs::weakly_canonical(path, endless);
-    if (endless) fail(path, endless.message());
+OutputFile::OutputFile(const OutputName& output)
+    : name_(output.file),
+      target_(findTarget(output.file)),
+      claim_(target_, output.file, output.option, output.mayReplace) {
+  if (target_.old) {
+    if (!S_ISREG(target_.old->st_mode)) fail(name_, "it is there and is not an ordinary file");
+    if (const std::string reason = whyIrreplaceable(target_.path); !reason.empty())
+      fail(name_, "what is there cannot be replaced: " + reason);
   }
-  struct stat old {};
-  const bool exists = stat(path_.c_str(), &old) == 0;
-  if (exists && !S_ISREG(old.st_mode)) fail(path, "it is there and is not an ordinary file");
-
-  temporary_ = (path_.parent_path() / ("." + path_.filename().string() + ".XXXXXX")).string();
-  const int descriptor = mkstemp(temporary_.data());
-  if (descriptor < 0) {
-    temporary_.clear();
-    fail(path, std::strerror(errno));
+  try {
+    temporary_.emplace(target_.path);
+    if (target_.old) fchmod(temporary_->descriptor(), target_.old->st_mode & 07777);
+    stream_.emplace(temporary_->descriptor());
+  } catch (const std::system_error& error) {
+    fail(name_, error.code().message());
   }
-  replaceTemporary(nullptr, temporary_.c_str());
-  fchmod(descriptor, exists ? old.st_mode & 07777 : ordinaryMode());
-  stream_ = fdopen(descriptor, "wb");
-  if (stream_ == nullptr) {
-    const int reason = errno;
-    close(descriptor);
-    removeTemporary();
-    fail(path, std::strerror(reason));
-  }
-  // One thread writes, and CImg byte by byte: locking the stream for each of them takes most of the time.
-  __fsetlocking(stream_, FSETLOCKING_BYCALLER);
-}
-
-OutputFile::~OutputFile() {
-  if (stream_ != nullptr) std::fclose(stream_);
-  if (!temporary_.empty()) removeTemporary();
-}
-
-void OutputFile::removeTemporary() {
-  unlink(temporary_.c_str());
-  forgetTemporary();
-}
-
-void OutputFile::forgetTemporary() {
-  replaceTemporary(temporary_.c_str(), nullptr);
-  temporary_.clear();
 }
 
 void OutputFile::commit() {
-  errno = 0;
-  const bool written = std::ferror(stream_) == 0 && std::fflush(stream_) == 0;
-  const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
-  if (!written || !closed)
-    fail(path_, errno != 0 ? std::strerror(errno)
-                           : "a write failed; is there room, and are files of this size allowed?");
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, std::strerror(errno));
-  forgetTemporary();
+  if (const std::string reason = stream_->flush(); !reason.empty()) fail(name_, reason);
+  // Some network file systems tell only now that there is no room.
+  const int copy = dup(temporary_->descriptor());
+  if (copy < 0 || close(copy) != 0) fail(name_, std::strerror(errno));
+  try {
+    temporary_->giveName();
+  } catch (const std::system_error& error) {
+    fail(name_, error.code().message());
+  }
+  if (temporary_->replaceTarget()) return;
+  const std::string reason = std::strerror(errno);
+  const fs::path kept = temporary_->keep();
+  fail(name_, reason + "; it is complete, and stays as " + printable(kept.native()));
 }
 
-void removeTemporaryFiles() {
-  for (const std::atomic<const char*>& temporary : temporaries) {
-    if (const char* name = temporary) unlink(name);
-  }
+void checkOutputs(std::span<const OutputName> outputs) {
+  std::list<OutputFile> all;
+  for (const OutputName& output : outputs) all.emplace_back(output);
 }
 
 }  // namespace lavaray

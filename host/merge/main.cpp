@@ -11,6 +11,7 @@
 #include "app/progress.hpp"
 #include "app/usage.hpp"
 #include "app/version.hpp"
+#include "core/file_claims.hpp"
 #include "core/limits.hpp"
 #include "film/merge.hpp"
 #include "image/output_file.hpp"
@@ -39,7 +40,8 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
   app.add_option("PARTS", options.parts, "Films of all of the picture, in any order")->required();
   CLI::Option* output = app.add_option("-o,--output", options.output,
                                        "Image to write; its ending says the format: .bmp, .png, .ppm, .pfm")
-                            ->type_name("FILE");
+                            ->type_name("FILE")
+                            ->check(fileName());
   app.add_flag("--check", options.check, "Say of each part whether it is whole and complete; merge nothing")
       ->excludes(output);
   addCropOption(app, options.crop, "Only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top");
@@ -91,7 +93,8 @@ ExitCode checkParts(const MergeOptions& options) {
 
 ExitCode mergeParts(const MergeOptions& options) {
   allowManyFiles();
-  OutputFile output(options.output);
+  for (const std::filesystem::path& part : options.parts) noteRead(part, "the film");
+  OutputFile output({"--output", options.output});
   Progress progress(progressStyle(options.quiet));
   progress.begin("verifying the parts");
   Merge merge(options.parts);
