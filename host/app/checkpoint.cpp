@@ -51,9 +51,16 @@ void Checkpoint::saveIfDue(const Render& render) {
 
 void Checkpoint::save(const Render& render) {
   if (file_.file.empty()) return;
-  OutputFile output(file_);
-  render.writeFilm(output.stream(), identity_);
-  output.commit();
+  hasFailed_ = false;
+  try {
+    OutputFile output(file_);
+    render.writeFilm(output.stream(), identity_);
+    output.commit();
+  } catch (const Error& error) {
+    hasFailed_ = true;
+    if (reasons_.insert(error.what()).second)
+      std::cerr << "warning: the checkpoint " << error.what() << "; the render goes on\n";
+  }
   last_ = Clock::now();
 }
 

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "film/film.hpp"
 #include "image/output_file.hpp"
@@ -20,8 +22,11 @@ class Checkpoint {
   // No file, no checkpoint. Throws Error(kOutput) where the file cannot be written.
   Checkpoint(const OutputName& file, double everySeconds, const Identity& identity);
 
+  // Where the file cannot be written they warn, once for each reason: the render goes on, and the next time
+  // may be better.
   void saveIfDue(const Render& render);
   void save(const Render& render);
+  [[nodiscard]] bool hasFailed() const { return hasFailed_; }  // the last time
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -29,6 +34,8 @@ class Checkpoint {
   std::chrono::duration<double> every_;
   const Identity& identity_;
   Clock::time_point last_ = Clock::now();
+  bool hasFailed_ = false;
+  std::set<std::string> reasons_;
 };
 
 }  // namespace lavaray

@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "core/errors.hpp"
-#include "image/output_file.hpp"
+#include "image/temporary_file.hpp"
 
 namespace lavaray {
 namespace {

@@ -49,8 +49,8 @@ class Inputs {
 
   const Options& options_;
   UserShader& shader_;
-  Files sceneFiles_;                         // the scene's and its meshes'
-  std::set<std::filesystem::path> changed_;  // of them, those that were not read with success since
+  Files sceneFiles_;                            // the scene's and its meshes'
+  std::set<std::filesystem::path> changed_;     // of them, those that were not read with success since
   std::set<std::filesystem::path> notedFiles_;  // by noteRead, for the scene
   std::optional<Scene> scene_;
   std::optional<Scene>

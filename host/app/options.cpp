@@ -238,7 +238,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string("lavaray ") + kVersion);
   app.footer(
       "Exit codes: 0 fine, 1 internal error, 2 usage, 3 scene, mesh, shader or film, 4 no usable device,\n"
-      "5 output not written or no screen for --display, 6 not enough memory, 130 interrupted.");
+      "5 output not written or no screen for --display, 6 not enough memory, 129, 130 or 143 ended by\n"
+      "SIGHUP, SIGINT or SIGTERM; what is rendered by then is written.");
   app.add_option("SCENE", options.scene, "Scene file to render");
   addRenderOptions(app, options);
   addSamplingOptions(app, options);

@@ -6,12 +6,16 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <system_error>
 
+#include "app/deadly_signals.hpp"
 #include "app/file_size_limit.hpp"
+#include "app/interrupt.hpp"
+#include "image/temporary_file.hpp"
 
 namespace lavaray {
 namespace {
@@ -22,6 +26,7 @@ std::string programName;
 
 // Drivers have threads of their own, and a compiler that throws in them where it gets no memory.
 [[noreturn]] void onTerminate() {
+  removeTemporaryFiles();
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
@@ -42,11 +47,15 @@ void occupyStandardStreams() {
   }
 }
 
-// A stream remembers that a write has failed; whoever printed did not look.
+// A stream remembers that a write has failed, but not why; another tells.
 ExitCode checkPrinted(ExitCode code) {
-  if (std::cout.flush()) return code;
-  throw Error(ExitCode::kOutput,
-              "what there is to print cannot be written to stdout: is it open, is there room?");
+  if (std::cout.flush() && std::fflush(stdout) == 0) return code;
+  errno = 0;
+  std::putchar('\n');
+  std::fflush(stdout);
+  const int reason = errno;
+  throw Error(ExitCode::kOutput, std::string("the output cannot be written to stdout: ") +
+                                     (reason != 0 ? std::strerror(reason) : "a write failed"));
 }
 
 }  // namespace
@@ -55,6 +64,8 @@ int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
   programName = name;
   occupyStandardStreams();
   std::set_terminate(onTerminate);
+  cleanUpAtDeath();
+  catchInterrupts(name);
   surviveFileSizeLimit(name);
   try {
     return static_cast<int>(checkPrinted(body()));

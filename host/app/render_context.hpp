@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "app/interrupt.hpp"
 #include "app/open_device.hpp"
 #include "app/progress.hpp"
 #include "app/user_shader.hpp"
@@ -10,7 +13,14 @@ namespace lavaray {
 struct RenderContext {
   explicit RenderContext(const Options& options)
       : shader(options.shaders), device(options), progress(progressStyle(options.quiet)) {}
-  UserShader shader;  // before the others, which have threads
+
+  // From the first ray until something is read anew: what is there by then is written.
+  void keepWhenInterrupted() {
+    if (!guard) guard.emplace();
+  }
+
+  std::optional<InterruptGuard> guard;  // goes last
+  UserShader shader;                    // before the others, which have threads
   FutureDevice device;
   Progress progress;
 };

@@ -44,6 +44,7 @@ bool keepsFilm(const Options& options) {
 
 Session::Session(const Options& options, RenderContext& context)
     : options_(options),
+      context_(context),
       device_(context.device),
       progress_(context.progress),
       inputs_(options, context.shader),
@@ -59,7 +60,6 @@ void Session::printWarnings() {
 }
 
 ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
-  catchInterrupts();  // Now, as there is a file from here on that must not stay behind.
   const Scene& scene = inputs_.scene();
   const ImageSize size = outputSize(options_, imageSize(scene.camera).value());
   const Rectangle part = cropWithin(options_.crop, size);
@@ -76,7 +76,6 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   progress_.end();
   lavaray::printWarnings(std::cerr, open.instance.takeWarnings());
   if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
-  if (wasInterrupted()) throw Error(ExitCode::kInterrupted, "interrupted before anything was rendered");
   viewer_.open(size);
 
   const Identity identity = keepsFilm(options_) ? describeIdentity(options_, scene, settings) : Identity{};
@@ -87,6 +86,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   }
   bool isOfThePast = false;
   progress_.begin("rendering");
+  context_.keepWhenInterrupted();
   render.run([&] {
     checkpoint.saveIfDue(render);
     isOfThePast = isOutdated();
@@ -95,17 +95,24 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   progress_.end();
   times_.endStep("render");
   if (isOfThePast) return ExitCode::kSuccess;
+  const bool isInterrupted = render.statistics().stopReason == StopReason::kInterrupted;
+  if (isInterrupted && render.samplesPerPixel() == 0.0)
+    throw Error(interruptCode(), "interrupted before anything was rendered");
 
   checkpoint.save(render);
   viewer_.showFinished(render);
   writeOutputs(render, settings, part, identity, outputs);
-  if (render.statistics().stopReason == StopReason::kInterrupted) {
+  if (isInterrupted) {
     const std::string name = options_.output == "-" ? "stdout" : options_.output;
     const int percent = static_cast<int>(100.0 * render.shareDone());
-    throw Error(ExitCode::kInterrupted, "interrupted at " + std::to_string(percent) + " %; " + name +
-                                            " holds what was rendered, pixels without a sample are black");
+    throw Error(interruptCode(), "interrupted at " + std::to_string(percent) + " %; " + name +
+                                     " holds what was rendered, pixels without a sample are black");
   }
   if (options_.verbose) std::cerr << "wrote " << options_.output << '\n';
+  if (checkpoint.hasFailed()) {
+    throw Error(ExitCode::kOutput, options_.output + " is written, but the checkpoint " +
+                                       options_.checkpoint.string() + " is not: see the warning");
+  }
   return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
 }
 

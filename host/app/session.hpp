@@ -13,7 +13,8 @@
 
 namespace lavaray {
 
-// A scene, and a render of it to its files as the options say, or one after the other while the scene changes.
+// A scene, and a render of it to its files as the options say, or one after the other while the scene
+// changes.
 class Session {
  public:
   // Both must outlive it.
@@ -38,6 +39,7 @@ class Session {
   bool proceed(const Render& render);
 
   const Options& options_;
+  RenderContext& context_;
   FutureDevice& device_;
   Progress& progress_;
   Inputs inputs_;

@@ -20,8 +20,8 @@ class UserShader {
 
   using Files = std::vector<std::filesystem::path>;
 
-  // Compiles it for a scene that has few primitives, or more, where that was not done yet or one of the changed
-  // files asks for it, and returns whether it did. Adds to the warnings. Throws Error(kInput) reading
+  // Compiles it for a scene that has few primitives, or more, where that was not done yet or one of the
+  // changed files asks for it, and returns whether it did. Adds to the warnings. Throws Error(kInput) reading
   // `file:line: message`; then what there was for this kind of scene stays.
   bool compile(const Files& changed, bool forFewPrimitives, std::vector<std::string>& warnings);
 

@@ -19,7 +19,8 @@ constexpr auto kIdle = 100ms;
 
 class Watch {
  public:
-  explicit Watch(const Options& options) : options_(options), context_(options), session_(options, context_) {}
+  explicit Watch(const Options& options)
+      : options_(options), context_(options), session_(options, context_) {}
   ExitCode run();
 
  private:
@@ -52,7 +53,6 @@ std::optional<std::invoke_result_t<Work>> Watch::attempt(const Work& work) {
 }
 
 ExitCode Watch::run() {
-  catchInterrupts();
   ExitCode code = ExitCode::kSuccess;
   bool isDue = false;  // there is something that no picture shows yet
   for (Files changed; !session_.isEnded(); changed = changed_.empty() ? waitForChanges() : changed_) {
@@ -60,11 +60,13 @@ ExitCode Watch::run() {
       for (const auto& file : changed) std::cerr << "changed: " << file.string() << '\n';
     }
     session_.times() = StepTimes();
+    context_.guard.reset();
     isDue = readChanged(changed) || isDue;
     watcher_.watch(session_.inputs().files());
     changed_.clear();
     if (!isDue || !session_.inputs().areComplete()) continue;
     const std::optional<ExitCode> result = render();
+    if (result) setInterruptedText("interrupted; the picture is of an earlier state\n");
     code = result.value_or(code);
     isDue = !changed_.empty();  // which ended the render
     if (result && !isDue && !options_.quiet) {
@@ -100,6 +102,7 @@ std::optional<ExitCode> Watch::render() {
 
 Inputs::Files Watch::waitForChanges() {
   Files changed;
+  context_.keepWhenInterrupted();
   while (changed.empty() && !session_.isEnded()) {
     changed = watcher_.changes(kIdle);
     session_.viewer().idle();

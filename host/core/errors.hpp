@@ -15,7 +15,9 @@ enum class ExitCode : int {
   kOutput = 5,
   kMemory = 6,
   kImagesDiffer = 10,
+  kHungUp = 129,
   kInterrupted = 130,
+  kEnded = 143,
 };
 
 // Bad input or a bad environment. The message is a sentence for the user; main prints it and returns

@@ -46,7 +46,8 @@ std::string named(const fs::path& file) {
 }
 
 [[noreturn]] void failRead(const std::string& output, const std::string& what, const fs::path& file) {
-  throw Error(ExitCode::kUsage, output + " " + what + " " + named(file) + ", which is read; give another name");
+  throw Error(ExitCode::kUsage,
+              output + " " + what + " " + named(file) + ", which is read; give another name");
 }
 
 // Looks each file up by its name again: an editor replaces a file by another of the same name, and the system

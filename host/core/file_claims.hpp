@@ -39,8 +39,8 @@ struct WriteTarget {
 class WriteClaim {
  public:
   // `option` is the one that names the file; `mayReplace` a file that is read and may be replaced nonetheless
-  // (a film that a render goes on from), or empty. Throws Error(kUsage) where the file is another that is read
-  // or is claimed already.
+  // (a film that a render goes on from), or empty. Throws Error(kUsage) where the file is another that is
+  // read or is claimed already.
   WriteClaim(const WriteTarget& target, const std::filesystem::path& name, const std::string& option,
              const std::filesystem::path& mayReplace);
   ~WriteClaim();

@@ -102,8 +102,8 @@ void TemporaryFile::openNamed() {
     const int reason = errno;
     struct stat status {};
     // Another process may have taken it for a leftover before it was locked.
-    if (descriptor_ >= 0 && (lock(descriptor_) || errno != EWOULDBLOCK) &&
-        fstat(descriptor_, &status) == 0 && status.st_nlink > 0)
+    if (descriptor_ >= 0 && (lock(descriptor_) || errno != EWOULDBLOCK) && fstat(descriptor_, &status) == 0 &&
+        status.st_nlink > 0)
       return;
     if (descriptor_ >= 0) close(descriptor_);
     forgetName();
@@ -136,8 +136,7 @@ bool TemporaryFile::replaceTarget() {
 }
 
 fs::path TemporaryFile::keep() {
-  const std::string visible =
-      target_.stem().string() + "-" + randomLetters() + target_.extension().string();
+  const std::string visible = target_.stem().string() + "-" + randomLetters() + target_.extension().string();
   fs::path kept = folder_ / visible;
   if (std::rename(name_.c_str(), kept.c_str()) != 0) kept = name_;
   forgetName();

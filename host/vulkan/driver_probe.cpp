@@ -113,7 +113,9 @@ DriverAnswer ask(const std::string& library) {
 }
 
 [[noreturn]] void answerAndEnd(const std::string& library, int out) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);  // under nohup
+  }
   if (const int null = open("/dev/null", O_RDWR); null >= 0) {
     dup2(null, STDOUT_FILENO);
     dup2(null, STDERR_FILENO);
