@@ -43,7 +43,8 @@ TEST(ShortDecimal, IsTheNearestDouble) {
     const char* const end = scanShortDecimal((text + '\n').c_str(), number);
     if (end == nullptr) continue;
     ++shortOnes;
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(number), std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)))
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(number),
+              std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)))
         << text;
   }
   EXPECT_GT(shortOnes, 1'000'000);

@@ -279,6 +279,19 @@ TEST(ReadObj, PartsOfAnySizeMakeTheSameMeshAndTheSameMessage) {
   EXPECT_EQ(outcome(texts[5], 8).second.substr(0, 13), "mesh.obj:7: \"");
 }
 
+// As long as one line each: a search for the end of a line, or of the CRs in front of it, that begins anew in
+// each line would take hours.
+TEST(ReadObj, MillionsOfLoneCrsAndContinuedLines) {
+  constexpr std::size_t kLines = 4'000'000;
+  const std::string crs(kLines, '\r');
+  EXPECT_EQ(positions(parseObj(kTriangle + crs + "x\r" + "f 1 2 3" + crs, "crs.obj")),
+            (std::vector<Indices>{{0, 1, 2}}));
+  std::string continued = "v 0 0 ";
+  for (std::size_t i = 0; i < kLines; ++i) continued += "\\\n";
+  const std::string text = continued + "0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 x\n";
+  EXPECT_EQ(inputError([&] { parseObj(text, "continued.obj"); }).substr(0, 22), "continued.obj:4000005:");
+}
+
 TEST(ReadObj, UnreadableFiles) {
   const auto folder = testFolder();
   EXPECT_THROW(readObj(folder), UnreadableFile);

@@ -58,7 +58,8 @@ void ObjCursor::skipByteOrderMark() {
 // From `\` to the beginning of the next line; false where there is none.
 bool ObjCursor::goOn() {
   ++at_;
-  if (!isLineEnd(*at_)) fail("`\\` in the middle of a line, which goes on in the next one where `\\` ends it");
+  if (!isLineEnd(*at_))
+    fail("`\\` in the middle of a line, which goes on in the next one where `\\` ends it");
   const char* const next = behindLineEnd();
   if (next == end_) return false;
   at_ = next;

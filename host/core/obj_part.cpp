@@ -58,7 +58,8 @@ class PartReader {
       const double number = cursor_.takeNumber();
       if (count < 3) result[static_cast<int>(count)] = number;
     }
-    if (std::ranges::find(allowedCounts, count) == allowedCounts.end()) failCount(keyword, count, allowedCounts);
+    if (std::ranges::find(allowedCounts, count) == allowedCounts.end())
+      failCount(keyword, count, allowedCounts);
     return result;
   }
 
@@ -69,7 +70,8 @@ class PartReader {
       if (!allowed.empty()) allowed += number == *(allowedCounts.end() - 1) ? " or " : ", ";
       allowed += std::to_string(number);
     }
-    throw ObjProblem{line_, ticked(keyword) + " has " + std::to_string(count) + " numbers, allowed are " + allowed};
+    throw ObjProblem{line_,
+                     ticked(keyword) + " has " + std::to_string(count) + " numbers, allowed are " + allowed};
   }
 
   void readFace() {

@@ -172,7 +172,8 @@ Mesh readMesh(const ReadBytes& read, const std::filesystem::path& file, std::siz
   addWarnings(triangles, mesh);
   // No face uses those that are not finite.
   if (whole.hasInfinitePositions)
-    std::ranges::replace_if(mesh.positions, [](const glm::dvec3& p) { return !isFinite(p); }, glm::dvec3(0.0));
+    std::ranges::replace_if(
+        mesh.positions, [](const glm::dvec3& p) { return !isFinite(p); }, glm::dvec3(0.0));
   return mesh;
 }
 
@@ -189,8 +190,8 @@ Mesh readObj(const std::filesystem::path& file) {
     }
   };
   ByteReader reader = orUnreadable([&] { return ByteReader(file); });
-  return readMesh([&](std::span<char> bytes) { return orUnreadable([&] { return reader.read(bytes); }); }, file,
-                  kObjPartBytes);
+  return readMesh([&](std::span<char> bytes) { return orUnreadable([&] { return reader.read(bytes); }); },
+                  file, kObjPartBytes);
 }
 
 Mesh parseObj(std::string_view text, const std::filesystem::path& file, std::size_t partBytes) {

@@ -50,7 +50,8 @@ std::size_t TextBlocks::fill(std::vector<char>& buffer) {
     if (length > 0 && buffer[length - 1] != '\n') buffer[length++] = '\n';
     return length;
   }
-  rest_.assign(buffer.begin() + static_cast<std::ptrdiff_t>(end), buffer.begin() + static_cast<std::ptrdiff_t>(length));
+  rest_.assign(buffer.begin() + static_cast<std::ptrdiff_t>(end),
+               buffer.begin() + static_cast<std::ptrdiff_t>(length));
   return end;
 }
 

@@ -21,7 +21,7 @@ class TextBlocks {
   TextBlocks(ReadBytes read, std::size_t bytes) : read_(std::move(read)), bytes_(bytes) {}
 
   struct Block {
-    std::size_t number;     // from 0
+    std::size_t number;    // from 0
     std::span<char> text;  // never empty, ends with LF
   };
 
