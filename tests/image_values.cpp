@@ -1,6 +1,6 @@
 // Prints what the image readers make of files: `image_values FILE...`. For each file that is a line
-// `WIDTH HEIGHT FORMAT MAXIMUM... CHANNELS` and then the pixels, as floats in the machine's order of bytes, the colours
-// of all before their alphas; or a line `refused MESSAGE`.
+// `WIDTH HEIGHT FORMAT MAXIMUM... CHANNELS` and then the pixels, as floats in the machine's order of bytes,
+// the colours of all before their alphas; or a line `refused MESSAGE`.
 #include <cstdint>
 #include <iostream>
 #include <iterator>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/image_file.hpp"
+#include "image/png_file.hpp"
 #include "input_files.hpp"
 
 namespace lavaray {
@@ -88,8 +89,8 @@ TEST(PngFile, HasTextsBeforeAndBehindThePixels) {
   writer.finish({{"Seconds", "1.5"}, {"Stopped", "\xC3\xA4"}});
   std::fclose(stream);
   const TextEntries expected = {{"Scene", "a"}, {"Seconds", "1.5"}, {"Stopped", "\xC3\xA4"}};
-  EXPECT_EQ(readPngTexts(file), expected);
-  EXPECT_EQ(readPng(file).rgb, std::vector<float>(6, 127.0F / 255.0F));
+  EXPECT_EQ(readImage(file).source.texts, expected);
+  EXPECT_EQ(readImage(file).rgb, std::vector<float>(6, 127.0F / 255.0F));
 }
 
 }  // namespace

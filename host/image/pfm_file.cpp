@@ -12,7 +12,8 @@
 namespace lavaray {
 namespace {
 
-// 1 or -1. Of any other magnitude programs make different numbers: some multiply by it, some divide, some leave it.
+// 1 or -1. Of any other magnitude programs make different numbers: some multiply by it, some divide, some
+// leave it.
 double readScale(const ImageBytes& file, PnmWords& words) {
   const std::string_view text = words.word();
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;

@@ -7,8 +7,8 @@ namespace {
 
 constexpr const char* kPreparing = "prepare the shader for the device";  // for messages
 
-// More than most batches of scenes need. Someone who edits a shader under --watch makes a new one each time, and one
-// is some megabytes.
+// More than most batches of scenes need. Someone who edits a shader under --watch makes a new one each time,
+// and one is some megabytes.
 constexpr std::size_t kMostKept = 32;
 
 }  // namespace
@@ -27,8 +27,7 @@ Pipeline::Pipeline(VkDevice device, const PipelineSource& source) {
   std::vector<VkSpecializationMapEntry> entries;
   for (std::uint32_t i = 0; i < source.specialization.size(); ++i) entries.push_back({i, i * 4, 4});
   const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                            source.specialization.size_bytes(),
-                                            source.specialization.data()};
+                                            source.specialization.size_bytes(), source.specialization.data()};
 
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;

@@ -36,7 +36,8 @@ class Pipeline {
   Handle<VkPipeline, &vkDestroyPipeline> pipeline_;
 };
 
-// A device's pipelines, the last ones that were asked for: making one takes drivers longer than many a render.
+// A device's pipelines, the last ones that were asked for: making one takes drivers longer than many a
+// render.
 class Pipelines {
  public:
   explicit Pipelines(VkDevice device) : device_(device) {}
