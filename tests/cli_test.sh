@@ -131,7 +131,7 @@ json_has() {
 }
 json_has "set(s) == set('schema lavaray scene picture bvh rays sampling device memory steps seconds'.split())"
 json_has "s['picture']['width'] == 64 and s['picture']['height'] == $(sed -n 2p <(head -c 20 picture.ppm) | cut -d' ' -f2)"
-json_has "s['schema'] == 1 and s['scene']['spheres'] == $(grep -cx sphere "$scene")"
+json_has "s['schema'] == 2 and s['scene']['spheres'] == $(grep -cx sphere "$scene")"
 json_has "s['sampling'] == dict(stopped='finished', samplesPerPixel=4, mostSamplesPerPixel=4, skippedPixels=0, estimatedRmse=None)"
 json_has "s['rays']['camera'] == $(awk '$1 == "camera" && $2 != "rays" { print $2 }' stderr) and s['rays']['mirror'] == 0"
 json_has "s['rays']['shadow'] == $(awk '$1 == "shadow" && NF == 2 { print $2 }' stderr) > 0"

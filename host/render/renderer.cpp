@@ -78,7 +78,7 @@ void Render::goOnFrom(FilmReader& film) {
   if (!isTraced()) return;
   sampling_->read(film);
   for (std::uint64_t pixel = 0; pixel < pixelsOf(settings_.crop); ++pixel) {
-    earlierSamples_ += sampling_->samples(pixel);
+    if (!tracer_->skips(pixel)) earlierSamples_ += sampling_->samples(pixel);
   }
 }
 
@@ -121,10 +121,15 @@ double Render::shareDone() const {
   return std::clamp(timeShare, sampling_->shareDone(), 1.0);
 }
 
+// Those that are known to be black have no samples, or only such as the plan counts and nobody traces.
+std::uint64_t Render::sampledPixels() const {
+  return isTraced() ? pixelsOf(settings_.crop) - tracer_->skippedPixels() : 0;
+}
+
 double Render::samplesPerPixel() const {
-  if (!isTraced()) return 0.0;
+  if (sampledPixels() == 0) return 0.0;
   return static_cast<double>(earlierSamples_ + tracer_->counts().samples) /
-         static_cast<double>(pixelsOf(crop_));
+         static_cast<double>(sampledPixels());
 }
 
 double Render::estimatedError() const {
@@ -162,7 +167,7 @@ Image Render::wholeImage(std::vector<float> values) const {
 RenderStatistics Render::statistics() const {
   RenderStatistics result;
   result.stopReason = stopReason_;
-  result.skippedPixels = pixelsOf(crop_) - pixelsOf(settings_.crop);
+  result.skippedPixels = pixelsOf(crop_) - sampledPixels();
   result.samplesPerPixel = samplesPerPixel();
   if (!isTraced()) return result;
   result.mostSamples = std::max(sampling_->mostSamples(), 1U);

@@ -28,7 +28,7 @@ const char* stopReasonName(StopReason reason);
 // What a render did, and why it stopped.
 struct RenderStatistics {
   StopReason stopReason = StopReason::kFinished;
-  double samplesPerPixel = 0.0;     // in the mean, those of a film included
+  double samplesPerPixel = 0.0;     // in the mean over pixels that are not skipped, those of a film included
   double estimatedError = 0.0;      // RMSE, where there was a target
   std::uint32_t mostSamples = 1;    // of a pixel
   std::uint64_t skippedPixels = 0;  // known to be black without a sample
@@ -61,9 +61,10 @@ class Render {
 
   [[nodiscard]] std::chrono::duration<double> elapsed() const;
   [[nodiscard]] double shareDone() const;  // in [0, 1]; estimated where there is a target or a time limit
-  [[nodiscard]] double samplesPerPixel() const;  // in the mean, those of a film included
-  [[nodiscard]] double estimatedError() const;   // RMSE, where there is a target, else 0
-  [[nodiscard]] Image image() const;             // as far as it is known; black where no sample was taken
+  // In the mean over the pixels in which something can show, those of a film included.
+  [[nodiscard]] double samplesPerPixel() const;
+  [[nodiscard]] double estimatedError() const;  // RMSE, where there is a target, else 0
+  [[nodiscard]] Image image() const;            // as far as it is known; black where no sample was taken
   // The same at the end, without a copy: image() must not be called after it.
   Image takeImage();
   [[nodiscard]] RenderStatistics statistics() const;
@@ -75,6 +76,7 @@ class Render {
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] bool isTraced() const { return sampling_ != nullptr; }
   [[nodiscard]] std::optional<StopReason> reasonToStop(const Proceed& proceed) const;
+  [[nodiscard]] std::uint64_t sampledPixels() const;
   void copyShown(std::span<glm::vec3> values) const;
   [[nodiscard]] Image wholeImage(std::vector<float> values) const;
 
@@ -83,7 +85,7 @@ class Render {
   RenderSettings settings_;             // their crop is the part of it that is traced
   std::unique_ptr<Sampling> sampling_;  // these two are empty where nothing is traced
   std::optional<Tracer> tracer_;
-  std::uint64_t earlierSamples_ = 0;  // of a film
+  std::uint64_t earlierSamples_ = 0;  // of a film, in pixels that are sampled
   Clock::time_point start_;
   StopReason stopReason_ = StopReason::kFinished;
   double largestMeasure_ = 0.0;

@@ -103,6 +103,20 @@ class Planner {
 
 }  // namespace
 
+std::uint64_t pixelsOfEmptyTiles(const TileStarts& starts, const ImageSize& size) {
+  const int side = 1 << starts.shift;
+  std::uint64_t pixels = 0;
+  std::size_t tile = 0;
+  for (int y = 0; y < size.height; y += side) {
+    for (int x = 0; x < size.width; x += side) {
+      if (starts.groups[tile++] != 0) continue;
+      pixels += static_cast<std::uint64_t>(std::min(side, size.width - x)) *
+                static_cast<std::uint64_t>(std::min(side, size.height - y));
+    }
+  }
+  return pixels;
+}
+
 TileStarts tileStarts(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
   // Of a scene without a traversal no shader reads them.
   if (scene.nodes.empty() || scene.hasFewPrimitives)

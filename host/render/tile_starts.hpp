@@ -21,6 +21,9 @@ inline bool isEmpty(const TileStarts& starts, std::uint32_t pixel, std::uint32_t
   return starts.groups[std::size_t{row} * starts.across + ((pixel % width) >> starts.shift)] == 0;
 }
 
+// Of a picture of that size, those through which nothing can be seen.
+std::uint64_t pixelsOfEmptyTiles(const TileStarts& starts, const ImageSize& size);
+
 // For the tiles of the settings' crop.
 TileStarts tileStarts(const GpuScene& scene, const Camera& camera, const RenderSettings& settings);
 

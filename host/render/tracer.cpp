@@ -100,6 +100,10 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& came
   if (inStorage) shader_ = renderFromStorageSpirv;
   const auto use = inStorage ? vulkan::BufferUse::kStorage : vulkan::BufferUse::kTexels;
   buffers_ = uploadScene(device, scene, use);
+  if (skipsTiles_) {
+    skippedPixels_ = pixelsOfEmptyTiles(
+        starts_, {settings.crop.x1 - settings.crop.x0, settings.crop.y1 - settings.crop.y0});
+  }
   constants_.tileShift = starts_.shift;
   constants_.tilesAcross = starts_.across;
   buffers_.push_back(
@@ -161,7 +165,7 @@ std::uint32_t Tracer::makePiece(std::uint64_t first, std::uint32_t count, const 
   places_.clear();
   std::uint32_t traced = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (skipsTiles_ && isEmpty(starts_, items[i].pixel, constants_.cropWidth)) {
+    if (skips(items[i].pixel)) {
       counts_.skippedSamples += items[i].count;
       continue;
     }

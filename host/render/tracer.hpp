@@ -45,6 +45,11 @@ class Tracer {
            const Stop& stop);
 
   [[nodiscard]] const TraceCounts& counts() const { return counts_; }
+  // Whether nothing can be seen through a pixel of the crop, so that its samples are not traced.
+  [[nodiscard]] bool skips(std::uint64_t pixel) const {
+    return skipsTiles_ && isEmpty(starts_, static_cast<std::uint32_t>(pixel), constants_.cropWidth);
+  }
+  [[nodiscard]] std::uint64_t skippedPixels() const { return skippedPixels_; }
   // Bytes of the scene's arrays and of the work on the device.
   [[nodiscard]] std::size_t deviceBytes() const;
 
@@ -59,6 +64,7 @@ class Tracer {
   bool centerOnly_;
   TileStarts starts_;
   bool skipsTiles_;  // those without a start
+  std::uint64_t skippedPixels_ = 0;
   gpu::DispatchConstants constants_{};
   std::uint32_t capacity_;                 // items of the largest piece
   double pieceItems_;                      // of the next piece

@@ -114,9 +114,10 @@ TEST(Specialization, SkipsCameraRaysThroughTilesWithNothing) {
   settings.samples = 3;
   settings.filter = PixelFilter::kBlackmanHarris;
   const RenderResult result = renderScene(scene, settings);
-  const std::uint64_t samples = std::uint64_t{3} * size.width * size.height - 3 * result.skippedPixels;
-  EXPECT_EQ(result.counts.samples + result.counts.skippedSamples, samples);
-  EXPECT_GT(result.counts.skippedSamples, samples / 2);
+  const std::uint64_t sampledPixels = std::uint64_t{1} * size.width * size.height - result.skippedPixels;
+  EXPECT_EQ(result.counts.samples, 3 * sampledPixels);
+  EXPECT_EQ(result.samplesPerPixel, 3.0);
+  EXPECT_GT(result.counts.skippedSamples, 3 * sampledPixels);
   // The cost is another one without what is skipped.
   for (const View view : {View::kColor, View::kNormal, View::kDepth, View::kObject, View::kShadow}) {
     settings.view = view;
