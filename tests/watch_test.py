@@ -250,7 +250,11 @@ def main():
     growth = lavaray.memory() - begin
     print(f'figure: {count} random edits: alive, memory grew by {growth:.1f} MiB in the second half')
     check(growth < 8, f'memory grew by {growth} MiB')
-    check(lavaray.stop() == 0, 'Ctrl-C ends it cleanly')
+    # One more, after whose picture there is nothing left to draw, so that Ctrl-C ends no render.
+    edit_in_place(scene, scene_text + '\n')
+    lavaray.wait_for(r'changed: torus.txt(?s:.*?)wrote torus.ppm')
+    code = lavaray.stop()
+    check(code == 0, f'Ctrl-C ends it cleanly, not with {code}')
     print(f'{checks} checks')
 
 
