@@ -20,10 +20,11 @@ std::string exactly(double number) {
 
 }  // namespace
 
-Identity describeIdentity(const Options& options, const Scene& scene, const RenderSettings& settings) {
+Identity describeIdentity(const Options& options, const Inputs& inputs, const RenderSettings& settings) {
+  const Scene& scene = inputs.scene();
   Identity identity = {{"lavaray", kVersion},
                        {"shader", checksumOf(std::as_bytes(shaderOf(settings, hasFewPrimitives(scene))))},
-                       {"scene", checksumOfFile(scene.file)}};
+                       {"scene", inputs.sceneChecksum()}};
   const std::filesystem::path folder = scene.file.parent_path();
   for (const Mesh& mesh : scene.meshes) {
     identity.emplace_back("mesh " + mesh.file.lexically_proximate(folder).string(),

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "app/inputs.hpp"
 #include "app/options.hpp"
 #include "film/film.hpp"
 #include "render/settings.hpp"
@@ -10,6 +11,6 @@ namespace lavaray {
 
 // What decides the pixels of this picture: checksums of the scene, its meshes and the shader, and every
 // option that matters. Throws Error(kInput) where a file cannot be read any more.
-Identity describeIdentity(const Options& options, const Scene& scene, const RenderSettings& settings);
+Identity describeIdentity(const Options& options, const Inputs& inputs, const RenderSettings& settings);
 
 }  // namespace lavaray

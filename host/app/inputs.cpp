@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "app/standard_input.hpp"
 #include "core/file_claims.hpp"
 #include "core/parallel.hpp"
 #include "core/scene_reader.hpp"
+#include "film/film_file.hpp"
 
 namespace lavaray {
 namespace fs = std::filesystem;
@@ -23,7 +25,7 @@ bool Inputs::readScene(const Files& changed) {
   if (scene_ && !haveCommon(changed, sceneFiles_)) return false;
   changed_.insert(changed.begin(), changed.end());
   sceneFiles_ = {options_.scene};
-  Scene scene = lavaray::readScene(options_.scene, [this](const fs::path& file) { return readMesh(file); });
+  Scene scene = readSceneText();
   applyDefaults(options_, scene);
   warnings_.insert(warnings_.end(), scene.warnings.begin(), scene.warnings.end());
   if (gpuScene_ && !flattened_) flattened_ = std::move(scene_);
@@ -39,6 +41,19 @@ void Inputs::forgetFormerFiles() {
     if (std::find(sceneFiles_.begin(), sceneFiles_.end(), file) == sceneFiles_.end()) forgetRead(file);
   }
   notedFiles_ = {sceneFiles_.begin(), sceneFiles_.end()};
+}
+
+Scene Inputs::readSceneText() {
+  const MeshReader reader = [this](const fs::path& file) { return readMesh(file); };
+  if (!isStandardInput(options_.scene)) return lavaray::readScene(options_.scene, reader);
+  if (!standardInput_) standardInput_ = readStandardInput();
+  // Without a folder in its name, so that meshes are looked for in the current one.
+  return parseScene(*standardInput_, kStandardInputName, reader);
+}
+
+std::string Inputs::sceneChecksum() const {
+  return standardInput_ ? checksumOf(std::as_bytes(std::span(*standardInput_)))
+                        : checksumOfFile(options_.scene);
 }
 
 Mesh Inputs::readMesh(const fs::path& file) {

@@ -34,6 +34,9 @@ class Inputs {
 
   // Whether there is a scene, and the shader that is asked for.
   [[nodiscard]] bool areComplete() const { return scene_ && shader_.isComplete(); }
+  // Of the scene's text, for identities; of a file as it is now. Throws Error(kInput) where that cannot be
+  // read.
+  [[nodiscard]] std::string sceneChecksum() const;
   // What was noticed since the last call, each `file:line: message`.
   std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
   [[nodiscard]] const Scene& scene() const { return *scene_; }
@@ -44,6 +47,7 @@ class Inputs {
   [[nodiscard]] Files files() const;
 
  private:
+  Scene readSceneText();
   Mesh readMesh(const std::filesystem::path& file);
   void forgetFormerFiles();
 
@@ -52,6 +56,7 @@ class Inputs {
   Files sceneFiles_;                            // the scene's and its meshes'
   std::set<std::filesystem::path> changed_;     // of them, those that were not read with success since
   std::set<std::filesystem::path> notedFiles_;  // by noteRead, for the scene
+  std::optional<std::string> standardInput_;    // where the scene is that: it can be read once only
   std::optional<Scene> scene_;
   std::optional<Scene>
       flattened_;  // the scene that gpuScene_ was made from, where there was a newer one since

@@ -1,15 +1,12 @@
 #include <iostream>
 
-#include "app/json_report.hpp"
+#include "app/check_scenes.hpp"
 #include "app/options.hpp"
 #include "app/program.hpp"
 #include "app/render_scenes.hpp"
 #include "app/report.hpp"
+#include "app/scene_files.hpp"
 #include "app/watch_scene.hpp"
-#include "core/camera.hpp"
-#include "core/file_claims.hpp"
-#include "core/scene_reader.hpp"
-#include "image/output_file.hpp"
 #include "vulkan/driver_survey.hpp"
 
 namespace lavaray {
@@ -25,27 +22,17 @@ void listDevices(const Options& options) {
   printDevices(std::cerr, vulkan::listDevices(instance));
 }
 
-ExitCode run(const Options& options) {
+// The scenes' options differ in the names of files only.
+ExitCode run(const std::vector<Options>& scenes) {
+  const Options& options = scenes.front();
   if (options.listDevices) {
     listDevices(options);
     return ExitCode::kSuccess;
   }
-  noteRead(options.scene, "the scene");
-  if (!options.resume.empty()) noteRead(options.resume, "the film");
-  checkOutputs(outputNames(options));
-  if (options.check) {
-    const Scene scene = readScene(options.scene);
-    printWarnings(std::cerr, scene.warnings);
-    const ImageSize size = outputSize(options, imageSize(scene.camera).value());
-    printScene(std::cerr, scene);
-    if (!options.json.empty()) {
-      OutputFile file({"--json", options.json});
-      writeJsonCheck(file.stream(), scene, size);
-      file.commit();
-    }
-    return ExitCode::kSuccess;
-  }
-  return options.watch ? watchScene(options) : renderScene(options);
+  checkFiles(scenes);
+  if (options.check) return checkScenes(scenes);
+  if (options.watch) return watchScene(options);
+  return renderScenes(scenes);
 }
 
 }  // namespace
@@ -53,7 +40,7 @@ ExitCode run(const Options& options) {
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray", [&] {
-    const auto options = lavaray::parseOptions(argc, argv);
-    return options ? lavaray::run(*options) : lavaray::ExitCode::kSuccess;
+    const auto scenes = lavaray::parseOptions(argc, argv);
+    return scenes.empty() ? lavaray::ExitCode::kSuccess : lavaray::run(scenes);
   });
 }

@@ -22,7 +22,9 @@ void addRenderOptions(CLI::App& app, Options& options) {
          "-o,--output", options.output,
          "Image to write; its ending says the format: .bmp, .png or .ppm (8 bits a channel), .pfm "
          "(float) or .film (a part for lavaray-merge). '-' writes PPM to stdout. Default: SCENE's name "
-         "with .bmp, in the current folder")
+         "with .bmp, in the current folder. {} stands for SCENE's name without its folder and ending "
+         "('stdin' "
+         "where that is -), and must be in it where there are several")
       ->type_name("FILE")
       ->check(fileName());
   const CLI::Validator side = integerFrom(1, kMaxImageSide);
@@ -184,10 +186,10 @@ void addOtherOptions(CLI::App& app, Options& options) {
   app.add_flag("--check", options.check,
                "Read the scene and its meshes, say what is in them, render nothing");
   app.add_flag("--stats", options.stats, "Say where time and memory went, and what was done");
-  app.add_option(
-         "--json", options.json,
-         "Write what --stats says to FILE, as JSON; with --check what that says, and the picture's size. "
-         "JSON does not go to stdout: '-' is refused")
+  app.add_option("--json", options.json,
+                 "Write what --stats says to FILE, as JSON; with --check what that says, and the picture's "
+                 "size. {} in it "
+                 "is as for --output. JSON does not go to stdout: '-' is refused")
       ->type_name("FILE")
       ->check(fileNameNotStdout());
   app.add_flag("--validate", options.validate,
@@ -198,10 +200,6 @@ void addOtherOptions(CLI::App& app, Options& options) {
 
 bool isFilm(const std::string& output) {
   return std::filesystem::path(output).extension() == ".film";
-}
-
-std::string defaultOutput(const std::filesystem::path& scene) {
-  return scene.stem().string() + ".bmp";
 }
 
 void checkOutput(const std::string& output) {
@@ -232,15 +230,19 @@ void checkFilms(const Options& options) {
 
 }  // namespace
 
-std::optional<Options> parseOptions(int argc, const char* const* argv) {
+std::vector<Options> parseOptions(int argc, const char* const* argv) {
   Options options;
+  std::vector<std::string> scenes;
   CLI::App app("Renders a scene file with Vulkan.", "lavaray");
   app.set_version_flag("--version", std::string("lavaray ") + kVersion);
   app.footer(
       "Exit codes: 0 fine, 1 internal error, 2 usage, 3 scene, mesh, shader or film, 4 no usable device,\n"
       "5 output not written or no screen for --display, 6 not enough memory, 129, 130 or 143 ended by\n"
       "SIGHUP, SIGINT or SIGTERM; what is rendered by then is written.");
-  app.add_option("SCENE", options.scene, "Scene file to render");
+  app.add_option(
+      "SCENE", scenes,
+      "Scene file to render; '-' is standard input, whose meshes are looked for in the current folder. "
+      "Several are rendered one after the other, by one process on one device");
   addRenderOptions(app, options);
   addSamplingOptions(app, options);
   addViewOption(app, options);
@@ -248,10 +250,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   addFilmOptions(app, options);
   addInteractiveOptions(app, options);
   addOtherOptions(app, options);
-  if (!parseCommandLine(app, argc, argv)) return std::nullopt;
-  if (options.listDevices) return options;
-  if (options.scene.empty())
-    throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
+  if (!parseCommandLine(app, argc, argv)) return {};
+  if (options.listDevices) return {options};
+  if (scenes.empty()) throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
   if (options.view == View::kError && !options.targetError) {
     throw Error(ExitCode::kUsage, "--view error needs --target-error: without, the error is not estimated");
   }
@@ -259,11 +260,13 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     throw Error(ExitCode::kUsage, "--target-error is for the views color, samples and error; for view " +
                                       viewName(options.view) + " give --spp");
   }
-  if (options.output.empty()) options.output = defaultOutput(options.scene);
-  checkOutput(options.output);
-  checkSampleRange(options);
-  checkFilms(options);
-  return options;
+  const std::vector<Options> all = optionsOfScenes(options, scenes);
+  for (const Options& one : all) {
+    checkOutput(one.output);
+    checkSampleRange(one);
+    checkFilms(one);
+  }
+  return all;
 }
 
 std::vector<OutputName> outputNames(const Options& options) {

@@ -13,9 +13,9 @@
 
 namespace lavaray {
 
-// The command line, checked as far as that goes without reading the scene.
+// The command line for one of its scenes, checked as far as that goes without reading the scene.
 struct Options {
-  std::filesystem::path scene;
+  std::filesystem::path scene;  // or "-" for standard input
   std::string
       output;  // a path, or "-" for PPM to stdout; with the ending .film the film in place of a picture
   std::optional<int> width;
@@ -50,8 +50,14 @@ struct Options {
   bool verbose = false;
 };
 
-// Nothing where the command line asked for help or the version, which are printed then. Throws Error(kUsage).
-std::optional<Options> parseOptions(int argc, const char* const* argv);
+// One for each scene, or one without a scene for --list-devices; they differ in the files that they name
+// only. Empty where the command line asked for help or the version, which are printed then. Throws
+// Error(kUsage).
+std::vector<Options> parseOptions(int argc, const char* const* argv);
+
+// `options` for each of the scenes, of which there is one at least, with their own names of files: `{}`
+// stands for a scene's name. Throws Error(kUsage) where two files would be one.
+std::vector<Options> optionsOfScenes(const Options& options, const std::vector<std::string>& scenes);
 
 // The size of the image: the camera's, or the one asked for, where a missing side keeps the camera's aspect.
 // Throws Error(kUsage) where a side is out of range.

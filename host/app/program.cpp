@@ -20,7 +20,7 @@
 namespace lavaray {
 namespace {
 
-constexpr const char* kNoMemory = ": there is not enough memory; a smaller image or scene needs less\n";
+constexpr const char* kNoMemory = "there is not enough memory; a smaller image or scene needs less";
 
 std::string programName;
 
@@ -30,7 +30,7 @@ std::string programName;
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
-    std::fputs((programName + kNoMemory).c_str(), stderr);
+    std::fputs((programName + ": " + kNoMemory + '\n').c_str(), stderr);
     std::_Exit(static_cast<int>(ExitCode::kMemory));
   } catch (...) {
   }
@@ -60,6 +60,21 @@ ExitCode checkPrinted(ExitCode code) {
 
 }  // namespace
 
+Failure currentFailure() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return {error.exitCode(), error.what()};
+  } catch (const std::bad_alloc&) {
+    return {ExitCode::kMemory, kNoMemory};
+  } catch (const std::system_error& error) {
+    return {ExitCode::kInternalError, "the system refuses what is needed: " + error.code().message()};
+  } catch (const std::exception& error) {
+    return {ExitCode::kInternalError,
+            std::string("internal error, a defect of the program: ") + error.what()};
+  }
+}
+
 int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
   programName = name;
   occupyStandardStreams();
@@ -69,18 +84,10 @@ int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
   surviveFileSizeLimit(name);
   try {
     return static_cast<int>(checkPrinted(body()));
-  } catch (const Error& error) {
-    std::cerr << name << ": " << error.what() << '\n';
-    return static_cast<int>(error.exitCode());
-  } catch (const std::bad_alloc&) {
-    std::cerr << name << kNoMemory;
-    return static_cast<int>(ExitCode::kMemory);
-  } catch (const std::system_error& error) {
-    std::cerr << name << ": the system refuses what is needed: " << error.code().message() << '\n';
-    return static_cast<int>(ExitCode::kInternalError);
-  } catch (const std::exception& error) {
-    std::cerr << name << ": internal error, a defect of the program: " << error.what() << '\n';
-    return static_cast<int>(ExitCode::kInternalError);
+  } catch (const std::exception&) {
+    const Failure failure = currentFailure();
+    std::cerr << name << ": " << failure.message << '\n';
+    return static_cast<int>(failure.exitCode);
   }
 }
 

@@ -7,6 +7,14 @@
 
 namespace lavaray {
 
+struct Failure {
+  ExitCode exitCode;
+  std::string message;
+};
+
+// What the exception that is being handled says.
+Failure currentFailure();
+
 // Runs a program's body and returns its exit code. What the body throws is printed as `name: message`.
 int runProgram(const std::string& name, const std::function<ExitCode()>& body);
 

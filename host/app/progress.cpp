@@ -59,14 +59,32 @@ Progress::~Progress() {
   if (drawer_.joinable()) drawer_.join();
 }
 
+void Progress::beginPiece(std::size_t index, std::size_t count) {
+  const std::lock_guard lock(mutex_);
+  piece_ = index;
+  pieces_ = count;
+  if (index > 0) return;
+  begin_ = Clock::now();
+  tenths_ = 0;
+}
+
 void Progress::begin(const std::string& step) {
   end();
   const std::lock_guard lock(mutex_);
   step_ = step;
-  begin_ = Clock::now();
   share_ = -1.0;
-  tenths_ = 0;
   detail_.clear();
+  if (pieces_ > 1) {
+    if (style_ == ProgressStyle::kBar) draw();  // again: each of many short steps has taken it away
+    return;
+  }
+  begin_ = Clock::now();
+  tenths_ = 0;
+}
+
+double Progress::shareOfAll() const {
+  if (pieces_ == 1) return share_;
+  return (static_cast<double>(piece_) + std::max(share_, 0.0)) / static_cast<double>(pieces_);
 }
 
 void Progress::update(double share, const std::string& detail) {
@@ -74,7 +92,7 @@ void Progress::update(double share, const std::string& detail) {
   share_ = share;
   detail_ = detail;
   const Clock::duration elapsed = Clock::now() - begin_;
-  const int tenths = static_cast<int>(10.0 * share);
+  const int tenths = static_cast<int>(10.0 * shareOfAll());
   if (style_ != ProgressStyle::kLines || elapsed < kPatience || tenths <= tenths_) return;
   tenths_ = tenths;
   std::fprintf(stderr, "%s\n", text(elapsed).c_str());
@@ -87,13 +105,16 @@ void Progress::end() {
   isShown_ = false;
 }
 
-// Like `rendering  37 %  0:12 elapsed, 0:20 left, 14 spp`.
+// Like `rendering  37 %  0:12 elapsed, 0:20 left, 14 spp`, with `2 of 40: ` before it where that is of 40
+// pieces.
 std::string Progress::text(Clock::duration elapsed) const {
   std::ostringstream text;
+  if (pieces_ > 1) text << piece_ + 1 << " of " << pieces_ << ": ";
   text << step_;
-  if (share_ >= 0.0) text << "  " << std::setw(3) << static_cast<int>(100.0 * share_) << " %";
+  const double share = shareOfAll();
+  if (share >= 0.0) text << "  " << std::setw(3) << static_cast<int>(100.0 * share) << " %";
   text << "  " << hoursAndMinutes(elapsed) << " elapsed";
-  if (share_ > 0.0) text << ", " << hoursAndMinutes(remainingTime(elapsed, share_)) << " left";
+  if (share > 0.0) text << ", " << hoursAndMinutes(remainingTime(elapsed, share)) << " left";
   if (!detail_.empty()) text << ", " << detail_;
   return text.str();
 }
@@ -102,8 +123,8 @@ void Progress::draw() {
   const Clock::duration elapsed = Clock::now() - begin_;
   if (step_.empty() || elapsed < kPatience) return;
   std::string line;
-  if (share_ >= 0.0) {
-    const auto full = static_cast<std::size_t>(kBarWidth * std::min(share_, 1.0));
+  if (const double share = shareOfAll(); share >= 0.0) {
+    const auto full = static_cast<std::size_t>(kBarWidth * std::min(share, 1.0));
     line = '[' + std::string(full, '#') + std::string(kBarWidth - full, ' ') + "] ";
   }
   line += text(elapsed);

@@ -31,6 +31,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  // The steps that follow are of piece `index` of `count` of all the work, and what is told is about that.
+  void beginPiece(std::size_t index, std::size_t count);
   // Begins a step, of which nothing but the time is known before update() is called.
   void begin(const std::string& step);
   // `share` of the step is done, 0..1; `detail` says more, or is empty.
@@ -40,7 +42,8 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void draw();  // with the mutex held
+  [[nodiscard]] double shareOfAll() const;  // below 0 it is not known
+  void draw();                              // with the mutex held
   void drawUntilStopped();
   [[nodiscard]] std::string text(Clock::duration elapsed) const;
 
@@ -48,10 +51,12 @@ class Progress {
   std::mutex mutex_;
   std::condition_variable stopped_;
   bool isStopped_ = false;
-  std::string step_;  // empty between steps
-  Clock::time_point begin_;
-  double share_ = -1.0;  // below 0 it is not known
-  int tenths_ = 0;       // told of in lines
+  std::size_t piece_ = 0;
+  std::size_t pieces_ = 1;
+  std::string step_;         // empty between steps
+  Clock::time_point begin_;  // of the step, or of the first of several pieces
+  double share_ = -1.0;      // of the step; below 0 it is not known
+  int tenths_ = 0;           // told of in lines
   std::string detail_;
   bool isShown_ = false;
   std::thread drawer_;  // of the bar

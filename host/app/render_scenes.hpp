@@ -1,12 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "app/options.hpp"
 #include "core/errors.hpp"
 
 namespace lavaray {
 
-// Renders the scene to its files. Returns when the picture is written, and the user has closed the window of
-// --display.
-ExitCode renderScene(const Options& options);
+// Renders the scenes to their files, one after the other on one device. Of several, one that fails is named,
+// and the others are still rendered; an interrupt ends them all. Returns the first failure's exit code when
+// all is written, and the user has closed the window of --display.
+ExitCode renderScenes(const std::vector<Options>& scenes);
 
 }  // namespace lavaray

@@ -78,7 +78,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
   viewer_.open(size);
 
-  const Identity identity = keepsFilm(options_) ? describeIdentity(options_, scene, settings) : Identity{};
+  const Identity identity = keepsFilm(options_) ? describeIdentity(options_, inputs_, settings) : Identity{};
   Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
   Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
   if (!options_.resume.empty()) {

@@ -25,6 +25,10 @@ ByteReader::ByteReader(const std::filesystem::path& file) {
   if (!stream_) throwSystemError();
 }
 
+ByteReader::ByteReader(std::FILE* stream) : stream_(stream) {
+  if (!stream_) throwSystemError();
+}
+
 std::size_t ByteReader::read(std::span<char> bytes) {
   const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stream_.get());
   if (count < bytes.size() && std::ferror(stream_.get()) != 0) throwSystemError();
@@ -36,9 +40,13 @@ std::string readFile(const std::filesystem::path& file) {
   // The size is a hint only: a pipe has none, and a folder is found out by the first read.
   std::error_code noSize;
   const std::uintmax_t size = std::filesystem::file_size(file, noSize);
+  return readAll(reader, noSize ? 0 : static_cast<std::size_t>(size));
+}
+
+std::string readAll(ByteReader& reader, std::size_t size) {
   constexpr std::size_t kChunk = 1 << 16;
   std::string text;
-  if (!noSize) text.reserve(static_cast<std::size_t>(size) + kChunk);
+  text.reserve(size + kChunk);
   std::size_t length = 0;
   for (;;) {
     text.resize(length + kChunk);

@@ -17,6 +17,8 @@ namespace lavaray {
 class ByteReader {
  public:
   explicit ByteReader(const std::filesystem::path& file);
+  // Takes over a stream that was just opened; null where that failed.
+  explicit ByteReader(std::FILE* stream);
   // How many bytes it filled: all, or those that were left.
   std::size_t read(std::span<char> bytes);
 
@@ -29,6 +31,8 @@ class ByteReader {
 
 // The bytes of a file. Throws std::system_error with the system's reason where it cannot be read.
 std::string readFile(const std::filesystem::path& file);
+// Likewise all that is left for the reader; about `size` bytes, where that is known.
+std::string readAll(ByteReader& reader, std::size_t size = 0);
 
 // Throws Error(kInput) at the line of the first NUL byte. What has one is no text, or text in UTF-16.
 void rejectNulBytes(std::string_view text, const std::filesystem::path& file);

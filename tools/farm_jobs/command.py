@@ -61,6 +61,8 @@ def parse_options(arguments):
     # `--name=value` and `--name value` are the same to lavaray.
     options.render = [word for option in others
                       for word in (option.split("=", 1) if option.startswith("--") else [option])]
+    if Path("-") in options.scenes:
+        parser.error("a scene must be a file that all machines see, which standard input is not")
     if len(options.scenes) > 1 and "{}" not in options.output:
         parser.error("of several scenes OUT must have {}, for the scene's name")
     return options
