@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "image/perceptual_color.hpp"
 
 namespace lavaray {
@@ -24,10 +26,10 @@ TEST(FalseColor, GrowsLighterAllTheWay) {
 }
 
 TEST(FalseColor, IsThatOfEachPixel) {
-  Image image{2, 1, {0.25F, 0.25F, 0.25F, 2.0F, 2.0F, 2.0F}};
-  applyFalseColors(image);
+  std::vector<float> rgb{0.25F, 0.25F, 0.25F, 2.0F, 2.0F, 2.0F};
+  applyFalseColors(rgb);
   const glm::vec3 quarter = falseColor(0.25F);
-  EXPECT_EQ(image.rgb, (std::vector<float>{quarter.r, quarter.g, quarter.b, 1.0F, 1.0F, 1.0F}));
+  EXPECT_EQ(rgb, (std::vector<float>{quarter.r, quarter.g, quarter.b, 1.0F, 1.0F, 1.0F}));
 }
 
 }  // namespace

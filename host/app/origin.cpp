@@ -34,20 +34,24 @@ std::optional<std::string> describeScale(View view, const RenderStatistics& resu
 }
 
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
-                           const RenderStatistics& result, const std::string& device, double seconds) {
+                           const std::string& device) {
+  TextEntries entries = {{"Software", std::string("lavaray ") + kVersion},
+                         {"Scene", options.scene.filename().string()},  // without the folders of who made it
+                         {"Size", describe(settings.size, options.crop)},
+                         {"Seed", std::to_string(settings.seed)},
+                         {"Device", device}};
+  if (options.view != View::kColor) entries.emplace_back("View", viewName(options.view));
+  return entries;
+}
+
+TextEntries describeOutcome(View view, const RenderStatistics& result, double seconds) {
   TextEntries entries = {
-      {"Software", std::string("lavaray ") + kVersion},
-      {"Scene", options.scene.filename().string()},  // without the folders of who made it
-      {"Size", describe(settings.size, options.crop)},
       // In the mean; a render to a target error, or one that was stopped, takes them where they help most.
       {"Samples per pixel", describe(result.samplesPerPixel)},
-      {"Seed", std::to_string(settings.seed)},
-      {"Device", device},
       {"Seconds", describe(seconds)}};
   if (result.stopReason != StopReason::kFinished)
     entries.emplace_back("Stopped", stopReasonName(result.stopReason));
-  if (options.view != View::kColor) entries.emplace_back("View", viewName(options.view));
-  if (const auto scale = describeScale(options.view, result)) entries.emplace_back("Scale", *scale);
+  if (const auto scale = describeScale(view, result)) entries.emplace_back("Scale", *scale);
   return entries;
 }
 

@@ -9,11 +9,11 @@
 
 namespace lavaray {
 
-// What white stands for, where the picture shows a cost. Once it has been taken from its render.
+// What white stands for, where the picture shows a cost.
 std::optional<std::string> describeScale(View view, const RenderStatistics& result);
 
-// What a picture file says of how it came to be.
-TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
-                           const RenderStatistics& result, const std::string& device, double seconds);
+// What a picture file says of how it came to be: what is known before the rendering, and what after it.
+TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const std::string& device);
+TextEntries describeOutcome(View view, const RenderStatistics& result, double seconds);
 
 }  // namespace lavaray

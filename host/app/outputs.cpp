@@ -3,7 +3,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "core/errors.hpp"
+#include "image/false_color.hpp"
 
 namespace lavaray {
 namespace {
@@ -16,7 +20,7 @@ bool isStdoutWritable() {
 
 }  // namespace
 
-Outputs::Outputs(const Options& options) : hasFilm_(writesFilm(options)) {
+Outputs::Outputs(const Options& options) : options_(options), hasFilm_(writesFilm(options)) {
   if (options.output != "-") {
     output_.emplace(OutputName{"--output", options.output});
   } else {
@@ -31,8 +35,52 @@ Outputs::Outputs(const Options& options) : hasFilm_(writesFilm(options)) {
   if (!options.json.empty()) json_.emplace(OutputName{"--json", options.json});
 }
 
-void Outputs::writePicture(const Image& image, const TextEntries& origin) {
-  writeImage(image, format_, output_ ? output_->stream() : stdout_->get(), origin);
+std::FILE* Outputs::pictureStream() const {
+  return output_ ? output_->stream() : stdout_->get();
+}
+
+void Outputs::beginPicture(const Rectangle& part, const TextEntries& origin) {
+  rows_.emplace(format_, part.x1 - part.x0, part.y1 - part.y0, pictureStream(), origin);
+}
+
+void Outputs::writeRow(std::span<const float> rgb) {
+  const Clock::time_point start = Clock::now();
+  rows_->write(rgb);
+  // The rest would be rendered for nothing.
+  if (std::ferror(pictureStream()) != 0) commitPicture();
+  timeOfRows_ += Clock::now() - start;
+}
+
+void Outputs::writeRowsOf(Render& render, const Rectangle& crop, const Rectangle& part) {
+  float largest = 0.0F;
+  if (options_.normalize) {
+    render.handOverRows(
+        [&](std::span<const float> row) { largest = std::max(largest, *std::ranges::max_element(row)); });
+  }
+  const auto begin = 3 * static_cast<std::size_t>(part.x0 - crop.x0);
+  std::vector<float> shown(3 * static_cast<std::size_t>(part.x1 - part.x0));
+  const bool hasFalseColors = options_.view == View::kCost && !hasNumbers();
+  int y = crop.y0;
+  render.handOverRows([&](std::span<const float> row) {
+    const bool isShown = part.y0 <= y && y < part.y1;
+    ++y;
+    if (!isShown) return;
+    std::ranges::copy(row.subspan(begin, shown.size()), shown.begin());
+    // Divided, so that the largest becomes exactly 1.
+    if (largest > 0.0F) {
+      for (float& value : shown) value /= largest;
+    }
+    if (hasFalseColors) applyFalseColors(shown);
+    writeRow(shown);
+  });
+}
+
+void Outputs::endPicture(const TextEntries& outcome) {
+  rows_->finish(outcome);
+  commitPicture();
+}
+
+void Outputs::commitPicture() {
   if (output_) return output_->commit();
   if (const std::string reason = stdout_->flush(); !reason.empty())
     throw Error(ExitCode::kOutput, "the image cannot be written to stdout: " + reason);

@@ -20,8 +20,8 @@ double mebibytes(std::size_t bytes) {
 
 }  // namespace
 
-void StepTimes::endStep(const std::string& name) {
-  const Clock::time_point now = Clock::now();
+void StepTimes::endStep(const std::string& name, Clock::duration ofNext) {
+  const Clock::time_point now = Clock::now() - ofNext;
   steps_.emplace_back(name, now - last_);
   last_ = now;
 }

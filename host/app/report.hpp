@@ -16,11 +16,13 @@ namespace lavaray {
 // Wall-clock time of the steps of a run, in their order.
 class StepTimes {
  public:
-  // Ends the step that began with the last call, or with the construction.
-  void endStep(const std::string& name);
+  using Clock = std::chrono::steady_clock;
+
+  // Ends the step that began with the last call, or with the construction. What took `ofNext` in it counts as
+  // a part of the next step.
+  void endStep(const std::string& name, Clock::duration ofNext = {});
   void print(std::ostream& out) const;
   [[nodiscard]] std::string inOneLine() const;
-  using Clock = std::chrono::steady_clock;
   using Step = std::pair<std::string, Clock::duration>;
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   // Up to the end of the last step.

@@ -1,6 +1,7 @@
 #include "app/session.hpp"
 
 #include <iostream>
+#include <span>
 
 #include "app/checkpoint.hpp"
 #include "app/identity.hpp"
@@ -8,7 +9,6 @@
 #include "app/json_report.hpp"
 #include "app/origin.hpp"
 #include "app/usage.hpp"
-#include "image/false_color.hpp"
 
 namespace lavaray {
 namespace {
@@ -16,6 +16,17 @@ namespace {
 // A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
 bool needsWhole(const Options& options) {
   return options.normalize || isMeasure(options.view);
+}
+
+bool keepsFilm(const Options& options) {
+  return writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
+}
+
+// Rows of one sample a pixel go to the file while others are traced, unless something needs all of them.
+bool keepsPicture(const Options& options) {
+  const bool isOneSample = options.samples == 1 && !options.targetError;
+  return !isOneSample || needsWhole(options) || options.view == View::kSamples || options.display ||
+         keepsFilm(options);
 }
 
 RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
@@ -32,12 +43,9 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   settings.maxSamples = options.maxSamples;
   settings.timeLimitSeconds = options.timeLimitSeconds;
   settings.view = options.view;
+  settings.keepsPicture = keepsPicture(options);
   settings.countRays = options.stats || !options.json.empty();
   return settings;
-}
-
-bool keepsFilm(const Options& options) {
-  return writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
 }
 
 }  // namespace
@@ -84,16 +92,20 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   if (!options_.resume.empty()) {
     resume(options_.resume, identity, settings, open.device.description().name, render);
   }
+  const TextEntries origin = describeOrigin(options_, settings, open.device.description().name);
+  if (!settings.keepsPicture) outputs.beginPicture(part, origin);
   bool isOfThePast = false;
   progress_.begin("rendering");
   context_.keepWhenInterrupted();
-  render.run([&] {
-    checkpoint.saveIfDue(render);
-    isOfThePast = isOutdated();
-    return proceed(render) && !isOfThePast;
-  });
+  render.run(
+      [&] {
+        checkpoint.saveIfDue(render);
+        isOfThePast = isOutdated();
+        return proceed(render) && !isOfThePast;
+      },
+      [&](std::span<const float> row) { outputs.writeRow(row); });
   progress_.end();
-  times_.endStep("render");
+  times_.endStep("render", outputs.timeOfRows());
   if (isOfThePast) return ExitCode::kSuccess;
   const bool isInterrupted = render.statistics().stopReason == StopReason::kInterrupted;
   if (isInterrupted && render.samplesPerPixel() == 0.0)
@@ -101,6 +113,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 
   checkpoint.save(render);
   viewer_.showFinished(render);
+  if (settings.keepsPicture && !outputs.hasFilm()) outputs.beginPicture(part, origin);
   writeOutputs(render, settings, part, identity, outputs);
   if (isInterrupted) {
     const std::string name = options_.output == "-" ? "stdout" : options_.output;
@@ -119,17 +132,12 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 void Session::writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
                            const Identity& identity, Outputs& outputs) {
   const vulkan::Device& device = device_.get().device;
-  Image image;
-  if (!outputs.hasFilm()) image = render.takeImage();
   const RenderStatistics statistics = render.statistics();
   if (outputs.hasFilm()) {
     outputs.writeFilm(render, identity);
   } else {
-    if (options_.normalize) normalize(image);
-    if (needsWhole(options_)) image = crop(image, part);
-    if (options_.view == View::kCost && !outputs.hasNumbers()) applyFalseColors(image);
-    outputs.writePicture(
-        image, describeOrigin(options_, settings, statistics, device.description().name, times_.seconds()));
+    outputs.writeRowsOf(render, settings.crop, part);
+    outputs.endPicture(describeOutcome(options_.view, statistics, times_.seconds()));
   }
   times_.endStep("write image");
   const std::optional<std::string> scale = describeScale(options_.view, statistics);

@@ -21,10 +21,10 @@ glm::vec3 falseColor(float value) {
   return kColors[interval] * (1.0F - share) + kColors[interval + 1] * share;
 }
 
-void applyFalseColors(Image& image) {
-  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
-    const glm::vec3 color = falseColor(image.rgb[i]);
-    std::copy_n(&color.x, 3, &image.rgb[i]);
+void applyFalseColors(std::span<float> rgb) {
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+    const glm::vec3 color = falseColor(rgb[i]);
+    std::copy_n(&color.x, 3, &rgb[i]);
   }
 }
 

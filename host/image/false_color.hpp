@@ -1,8 +1,8 @@
 #pragma once
 
-#include <glm/vec3.hpp>
+#include <span>
 
-#include "image/image.hpp"
+#include <glm/vec3.hpp>
 
 namespace lavaray {
 
@@ -11,7 +11,7 @@ namespace lavaray {
 // colour-blind, too.
 glm::vec3 falseColor(float value);
 
-// Of an image whose three channels are equal.
-void applyFalseColors(Image& image);
+// Of pixels whose three channels are equal.
+void applyFalseColors(std::span<float> rgb);
 
 }  // namespace lavaray

@@ -22,12 +22,4 @@ Image crop(const Image& image, const Rectangle& part) {
   return result;
 }
 
-void paste(const Image& part, int x, int y, Image& image) {
-  for (int row = 0; row < part.height; ++row) {
-    const auto from = part.rgb.begin() + std::ptrdiff_t{3} * part.width * row;
-    const std::ptrdiff_t to = std::ptrdiff_t{3} * (std::ptrdiff_t{image.width} * (y + row) + x);
-    std::copy(from, from + std::ptrdiff_t{3} * part.width, image.rgb.begin() + to);
-  }
-}
-
 }  // namespace lavaray

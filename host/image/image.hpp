@@ -31,7 +31,8 @@ struct Image {
   ImageSource source{};
 };
 
-// Stretches the values so that the largest is 1; a black image stays black. Returns what the largest was.
+// Stretches the values so that the largest is 1; a black image stays black. Returns what the largest was, or
+// 0.
 float normalize(Image& image);
 
 struct Rectangle {
@@ -44,8 +45,5 @@ struct Rectangle {
 
 // The part of the image inside the rectangle, which lies within it.
 Image crop(const Image& image, const Rectangle& part);
-
-// Puts `part` into the image, its first pixel at column x of row y; it lies within.
-void paste(const Image& part, int x, int y, Image& image);
 
 }  // namespace lavaray

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/huge_pages.hpp"
@@ -14,7 +14,9 @@ namespace lavaray {
 // One sample in each pixel's centre.
 class CenterSampling : public Sampling {
  public:
-  CenterSampling(std::uint64_t pixels, View view) : Sampling(pixels), view_(view) {
+  // Without `keepsValues` they are only counted, and there are no values to copy and no film.
+  CenterSampling(std::uint64_t pixels, View view, bool keepsValues) : Sampling(pixels), view_(view) {
+    if (!keepsValues) return;
     values_.reserve(3 * pixels);
     preferHugePages(values_.data(), values_.capacity() * sizeof(float));
     values_.resize(3 * pixels);
@@ -23,11 +25,10 @@ class CenterSampling : public Sampling {
   void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override {
     for (gpu::WorkItem& item : items) item = {static_cast<gpu::uint>(first++), 0, 0, 1};
   }
-  void copyValues(std::span<glm::vec3> values) const override {
-    std::copy(values_.begin(), values_.end(), &values.front().x);
+  void copyValues(std::uint64_t first, std::span<glm::vec3> values) const override {
+    assert(3 * (first + values.size()) <= values_.size());
+    std::copy_n(&values_[3 * first], 3 * values.size(), &values.front().x);
   }
-  // An image has some ten megabytes, and copying them takes as long as tracing some scenes.
-  std::vector<float> takeValues() override { return std::move(values_); }
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return pixel < done_ ? 1 : 0; }
   [[nodiscard]] std::uint32_t mostSamples() const override { return 1; }
   [[nodiscard]] double shareDone() const override {
@@ -48,17 +49,18 @@ class CenterSampling : public Sampling {
  private:
   std::uint64_t planPass() override { return pixels() - done_; }
   void take(std::uint64_t first, std::span<const gpu::WorkResult> results) override {
+    done_ += results.size();
+    if (values_.empty()) return;
     float* value = &values_[3 * first];
     for (const gpu::WorkResult& result : results) {
       const glm::vec3 color =
           isMeasure(view_) ? glm::vec3(static_cast<float>(measure(view_, result.sum, 1))) : result.sum;
       value = std::copy_n(&color.x, 3, value);
     }
-    done_ += results.size();
   }
 
   View view_;
-  std::vector<float> values_;  // three a pixel
+  std::vector<float> values_;  // three a pixel, or none at all
   std::uint64_t done_ = 0;
 };
 

@@ -74,9 +74,10 @@ void FixedSampling::take(std::uint64_t first, std::span<const gpu::WorkResult> r
   }
 }
 
-void FixedSampling::copyValues(std::span<glm::vec3> values) const {
-  for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
-    values[pixel] = measured_.empty() ? glm::vec3(sums_[pixel].mean()) : glm::vec3(measuredValue(pixel));
+void FixedSampling::copyValues(std::uint64_t first, std::span<glm::vec3> values) const {
+  for (glm::vec3& value : values) {
+    value = measured_.empty() ? glm::vec3(sums_[first].mean()) : glm::vec3(measuredValue(first));
+    ++first;
   }
 }
 

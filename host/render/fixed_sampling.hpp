@@ -21,7 +21,7 @@ class FixedSampling : public Sampling {
   }
 
   void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override;
-  void copyValues(std::span<glm::vec3> values) const override;
+  void copyValues(std::uint64_t first, std::span<glm::vec3> values) const override;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return sums_[pixel].samples(); }
   [[nodiscard]] std::uint32_t mostSamples() const override;
   [[nodiscard]] double shareDone() const override;

@@ -1,7 +1,6 @@
 #include "render/renderer.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "render/center_sampling.hpp"
 #include "render/covered_part.hpp"
@@ -36,7 +35,8 @@ std::unique_ptr<Sampling> makeSampling(const GpuScene& scene, const Camera& came
         AdaptiveSampling(part.x1 - part.x0, part.y1 - part.y0, *settings.targetError, settings.maxSamples,
                          settings.sampler == Sampler::kSobol, pixelsOfSmallObjects(scene, camera, settings)));
   }
-  if (settings.samples == 1) return std::make_unique<CenterSampling>(pixelsOf(part), settings.view);
+  if (settings.samples == 1)
+    return std::make_unique<CenterSampling>(pixelsOf(part), settings.view, settings.keepsPicture);
   return std::make_unique<FixedSampling>(pixelsOf(part), sampleRange(settings), settings.view);
 }
 
@@ -67,6 +67,7 @@ Render::Render(vulkan::Device& device, const GpuScene& scene, const Camera& came
                const RenderSettings& settings)
     : device_(device), crop_(settings.crop), settings_(settings), start_(Clock::now()) {
   settings_.crop = tracedPart(scene, camera, settings);
+  if (!settings_.keepsPicture) rows_.emplace(crop_, settings_.crop);
   if (pixelsOf(settings_.crop) == 0) return;
   sampling_ = makeSampling(scene, camera, settings_);
   tracer_.emplace(device, scene, camera, settings_, mostItems(settings_));
@@ -82,7 +83,7 @@ void Render::goOnFrom(FilmReader& film) {
   }
 }
 
-void Render::run(const Proceed& proceed) {
+void Render::run(const Proceed& proceed, const TakeRow& take) {
   stopReason_ = StopReason::kFinished;
   isComplete_ = !isTraced();
   if (!isTraced()) return;
@@ -90,8 +91,10 @@ void Render::run(const Proceed& proceed) {
     const bool finished = tracer_->run(
         sampling_->itemsDone(), sampling_->passItems(),
         [this](std::uint64_t first, std::span<gpu::WorkItem> items) { sampling_->makeItems(first, items); },
-        [this](std::uint64_t /*first*/, std::span<const gpu::WorkResult> results) {
+        [&](std::uint64_t /*first*/, std::span<const gpu::WorkResult> results) {
           sampling_->add(results);
+          if (!rows_) return;
+          for (const gpu::WorkResult& result : results) rows_->add(result.sum, take);
         },
         [&] {
           const std::optional<StopReason> reason = reasonToStop(proceed);
@@ -136,32 +139,36 @@ double Render::estimatedError() const {
   return isTraced() ? sampling_->estimatedError() : 0.0;
 }
 
+void Render::handOverRows(const TakeRow& take) {
+  if (rows_) {
+    rows_->finish(take);
+  } else {
+    forEachRow(take);
+  }
+}
+
 Image Render::image() const {
-  const std::uint64_t pixels = pixelsOf(settings_.crop);
-  std::vector<float> values(3 * pixels);
-  if (isTraced()) copyShown({reinterpret_cast<glm::vec3*>(values.data()), pixels});
-  Image whole = wholeImage(std::move(values));
-  if (isMeasure(settings_.view)) normalize(whole);
-  return whole;
+  Image result{crop_.x1 - crop_.x0, crop_.y1 - crop_.y0, {}};
+  result.rgb.reserve(3 * pixelsOf(crop_));
+  forEachRow(
+      [&](std::span<const float> row) { result.rgb.insert(result.rgb.end(), row.begin(), row.end()); });
+  return result;
 }
 
-Image Render::takeImage() {
-  const bool showsOther = settings_.view == View::kSamples || settings_.view == View::kError;
-  if (!isTraced() || showsOther) return image();
-  Image whole = wholeImage(sampling_->takeValues());
-  if (isMeasure(settings_.view)) largestMeasure_ = double{normalize(whole)};
-  return whole;
-}
-
-// The picture that is asked for, of the values of its traced part.
-Image Render::wholeImage(std::vector<float> values) const {
+void Render::forEachRow(const TakeRow& take) const {
   const Rectangle& part = settings_.crop;
-  Image traced{part.x1 - part.x0, part.y1 - part.y0, std::move(values)};
-  Image whole{crop_.x1 - crop_.x0, crop_.y1 - crop_.y0, {}};
-  if (whole.width == traced.width && whole.height == traced.height) return traced;
-  whole.rgb.resize(3 * pixelsOf(crop_));
-  paste(traced, part.x0 - crop_.x0, part.y0 - crop_.y0, whole);
-  return whole;
+  PictureRows rows(crop_, part);
+  if (isTraced()) {
+    std::vector<glm::vec3> values(static_cast<std::size_t>(part.x1 - part.x0));
+    const float largest =
+        settings_.view == View::kSamples ? static_cast<float>(sampling_->mostSamples()) : largestMeasure();
+    const float white = largest > 0.0F ? largest : 1.0F;  // The value that is shown as 1.
+    for (std::uint64_t first = 0; first < pixelsOf(part); first += values.size()) {
+      copyShown(first, values);
+      for (const glm::vec3& value : values) rows.add(value / white, take);
+    }
+  }
+  rows.finish(take);
 }
 
 RenderStatistics Render::statistics() const {
@@ -174,7 +181,7 @@ RenderStatistics Render::statistics() const {
   result.estimatedError = sampling_->estimatedError();
   result.counts = tracer_->counts();
   result.deviceBytes = tracer_->deviceBytes();
-  result.largestMeasure = largestMeasure_;
+  result.largestMeasure = double{largestMeasure()};
   return result;
 }
 
@@ -196,20 +203,29 @@ void Render::writeFilm(std::FILE* stream, const Identity& identity) const {
   film.finish();
 }
 
-// What the view shows of each pixel.
-void Render::copyShown(std::span<glm::vec3> values) const {
+// What the view shows of the pixels from number `first` on, measures and numbers of samples as they are.
+void Render::copyShown(std::uint64_t first, std::span<glm::vec3> values) const {
   if (settings_.view == View::kSamples) {
-    const auto most = static_cast<float>(std::max(sampling_->mostSamples(), 1U));
-    for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
-      values[pixel] = glm::vec3(static_cast<float>(sampling_->samples(pixel)) / most);
-    }
+    for (glm::vec3& value : values) value = glm::vec3(static_cast<float>(sampling_->samples(first++)));
   } else if (settings_.view == View::kError) {
-    for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
-      values[pixel] = glm::vec3(static_cast<float>(std::min(1.0, sampling_->estimatedError(pixel))));
+    for (glm::vec3& value : values) {
+      value = glm::vec3(static_cast<float>(std::min(1.0, sampling_->estimatedError(first++))));
     }
   } else {
-    sampling_->copyValues(values);
+    sampling_->copyValues(first, values);
   }
+}
+
+// 0 where the view is none.
+float Render::largestMeasure() const {
+  if (!isMeasure(settings_.view)) return 0.0F;
+  float largest = 0.0F;
+  std::vector<glm::vec3> values(static_cast<std::size_t>(settings_.crop.x1 - settings_.crop.x0));
+  for (std::uint64_t first = 0; first < sampling_->pixels(); first += values.size()) {
+    sampling_->copyValues(first, values);
+    for (const glm::vec3& value : values) largest = std::max(largest, value.x);
+  }
+  return largest;
 }
 
 std::uint64_t hostBytes(const RenderSettings& settings) {
@@ -223,8 +239,7 @@ RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera&
                     const RenderSettings& settings) {
   Render render(device, scene, camera, settings);
   render.run([] { return true; });
-  Image image = render.takeImage();
-  return {render.statistics(), std::move(image)};
+  return {render.statistics(), render.image()};
 }
 
 }  // namespace lavaray

@@ -11,6 +11,7 @@
 #include "core/flatten.hpp"
 #include "film/film_file.hpp"
 #include "image/image.hpp"
+#include "render/picture_rows.hpp"
 #include "render/settings.hpp"
 #include "render/tracer.hpp"
 
@@ -34,7 +35,7 @@ struct RenderStatistics {
   std::uint64_t skippedPixels = 0;  // known to be black without a sample
   TraceCounts counts;               // of this process
   std::size_t deviceBytes = 0;
-  double largestMeasure = 0.0;  // which is 1 in the image, where the view is a measure; once it is taken
+  double largestMeasure = 0.0;  // of a pixel, where the view is a measure: that is shown as 1
 };
 
 struct RenderResult : RenderStatistics {
@@ -56,17 +57,19 @@ class Render {
 
   // Is called about ten times a second and returns whether to go on.
   using Proceed = std::function<bool()>;
-  // Throws Error(kDevice) where the device fails or cannot finish a ray.
-  void run(const Proceed& proceed);
+  // Where no picture is kept, each row is taken as soon as it is complete. Throws Error(kDevice) where the
+  // device fails or cannot finish a ray.
+  void run(const Proceed& proceed, const TakeRow& take = {});
+  // Hands over the rows that run has not: all of them where the picture is kept, as often as it is called.
+  void handOverRows(const TakeRow& take);
 
   [[nodiscard]] std::chrono::duration<double> elapsed() const;
   [[nodiscard]] double shareDone() const;  // in [0, 1]; estimated where there is a target or a time limit
   // In the mean over the pixels in which something can show, those of a film included.
   [[nodiscard]] double samplesPerPixel() const;
   [[nodiscard]] double estimatedError() const;  // RMSE, where there is a target, else 0
-  [[nodiscard]] Image image() const;            // as far as it is known; black where no sample was taken
-  // The same at the end, without a copy: image() must not be called after it.
-  Image takeImage();
+  // As far as it is known, where the picture is kept; black where no sample was taken.
+  [[nodiscard]] Image image() const;
   [[nodiscard]] RenderStatistics statistics() const;
 
   // Writes all there is, to go on from; the view is the colour.
@@ -77,18 +80,19 @@ class Render {
   [[nodiscard]] bool isTraced() const { return sampling_ != nullptr; }
   [[nodiscard]] std::optional<StopReason> reasonToStop(const Proceed& proceed) const;
   [[nodiscard]] std::uint64_t sampledPixels() const;
-  void copyShown(std::span<glm::vec3> values) const;
-  [[nodiscard]] Image wholeImage(std::vector<float> values) const;
+  void forEachRow(const TakeRow& take) const;
+  void copyShown(std::uint64_t first, std::span<glm::vec3> values) const;
+  [[nodiscard]] float largestMeasure() const;
 
   const vulkan::Device& device_;
   Rectangle crop_;                      // of the picture that is asked for
   RenderSettings settings_;             // their crop is the part of it that is traced
   std::unique_ptr<Sampling> sampling_;  // these two are empty where nothing is traced
   std::optional<Tracer> tracer_;
+  std::optional<PictureRows> rows_;   // where no picture is kept
   std::uint64_t earlierSamples_ = 0;  // of a film, in pixels that are sampled
   Clock::time_point start_;
   StopReason stopReason_ = StopReason::kFinished;
-  double largestMeasure_ = 0.0;
   bool isComplete_ = false;  // all is done that was asked for
 };
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -29,10 +28,8 @@ class Sampling {
   // The results of the items from number itemsDone() on.
   void add(std::span<const gpu::WorkResult> results);
 
-  // The values of all pixels, row by row; black where there is no sample yet.
-  virtual void copyValues(std::span<glm::vec3> values) const = 0;
-  // The same, three floats each, at the end: they may be gone afterwards.
-  virtual std::vector<float> takeValues();
+  // The values of the pixels from number `first` on, row by row; black where there is no sample yet.
+  virtual void copyValues(std::uint64_t first, std::span<glm::vec3> values) const = 0;
   [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
   [[nodiscard]] virtual std::uint32_t samples(std::uint64_t pixel) const = 0;
   [[nodiscard]] virtual std::uint32_t mostSamples() const = 0;  // of a pixel
@@ -65,12 +62,6 @@ class Sampling {
   std::uint64_t passItems_ = 0;
   std::uint64_t itemsDone_ = 0;
 };
-
-inline std::vector<float> Sampling::takeValues() {
-  std::vector<float> values(3 * pixels_);
-  copyValues({reinterpret_cast<glm::vec3*>(values.data()), pixels_});
-  return values;
-}
 
 inline bool Sampling::startPass() {
   passItems_ = planPass();

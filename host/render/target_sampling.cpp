@@ -18,8 +18,8 @@ void TargetSampling::take(std::uint64_t first, std::span<const gpu::WorkResult> 
   }
 }
 
-void TargetSampling::copyValues(std::span<glm::vec3> values) const {
-  for (std::size_t pixel = 0; pixel < values.size(); ++pixel) values[pixel] = plan_.mean(pixel);
+void TargetSampling::copyValues(std::uint64_t first, std::span<glm::vec3> values) const {
+  for (glm::vec3& value : values) value = plan_.mean(first++);
 }
 
 std::uint32_t TargetSampling::mostSamples() const {

@@ -16,7 +16,7 @@ class TargetSampling : public Sampling {
   void makeItems(std::uint64_t first, std::span<gpu::WorkItem> items) const override {
     std::copy_n(items_.begin() + static_cast<std::ptrdiff_t>(first), items.size(), items.begin());
   }
-  void copyValues(std::span<glm::vec3> values) const override;
+  void copyValues(std::uint64_t first, std::span<glm::vec3> values) const override;
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const override { return plan_.samples(pixel); }
   [[nodiscard]] std::uint32_t mostSamples() const override;
   [[nodiscard]] double estimatedError(std::uint64_t pixel) const override {
