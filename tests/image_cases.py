@@ -405,6 +405,8 @@ def png_refusals():
         "depth-3": png(beyond, "grey", 4).replace(struct.pack(">BBBBB", 4, 0, 0, 0, 0), struct.pack(">BBBBB", 3, 0, 0, 0, 0)),
     }.items():
         yield Refused(f"{name}.png", data, "is no PNG image or is damaged")
+    text = png(values, "rgb", 8, extra=chunk(b"tEXt", b"Title\0A picture"))
+    yield Refused("long-chunk.png", text.replace(b"\0\0\0\x0ftEXt", b"\x50\0\0\x0ftEXt"), "ends before all of its pixels")
     wide = struct.pack(">IIBBBBB", 900000, 900000, 8, 2, 0, 0, 0)
     yield Refused("huge.png", b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", wide) + chunk(b"IDAT", zlib.compress(b"\0")),
                   "ends before all of its pixels")

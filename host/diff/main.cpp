@@ -39,15 +39,11 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   CLI::App app("Compares two images, or says what one is.", "lavaray-diff");
   app.set_version_flag("--version", std::string("lavaray-diff ") + kVersion);
   app.footer(
-      "An image is what its bytes say, whatever its ending. An image without alpha is opaque; FLIP sees "
-      "alpha\n"
-      "over black and over white, and the larger counts. Where one image has floats c and the other integers "
-      "up\n"
-      "to M, they are compared as trunc(M c), which is what lavaray writes. Infinity or NaN in one image "
-      "alone\n"
-      "is beyond every limit and magenta in the picture; the same in both is equal. Figures are over the "
-      "pixels\n"
-      "that are finite in both.\n"
+      "An image is what its bytes say, whatever its ending. An image without alpha is opaque; FLIP sees\n"
+      "alpha over black and over white, and the larger counts. Where one image has floats c and the\n"
+      "other integers up to M, they are compared as trunc(M c), which is what lavaray writes. Infinity\n"
+      "or NaN in one image alone is beyond every limit and magenta in the picture; the same in both is\n"
+      "equal. Figures are over the pixels that are finite in both.\n"
       "\n"
       "Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
       "2 usage, 3 an image cannot be read, 5 output not written, 6 not enough memory, 10 the images differ.");

@@ -54,6 +54,22 @@ std::vector<png_text> pngTexts(const TextEntries& entries) {
   return texts;
 }
 
+// libpng takes memory for all of a chunk before it finds that the file ends in it.
+void checkChunkLengths(const ImageBytes& file) {
+  constexpr std::size_t kAround = 12;  // length, kind and checksum
+  const std::size_t size = file.bytes.size();
+  std::size_t at = 8;
+  while (at + kAround <= size) {
+    std::uint32_t length = 0;
+    for (std::size_t i = at; i < at + 4; ++i) {
+      length = length << 8 | static_cast<unsigned char>(file.bytes[i]);
+    }
+    if (length > size - at - kAround) file.failAsCutOff();
+    if (file.bytes.substr(at + 4, 4) == "IEND") return;
+    at += kAround + length;
+  }
+}
+
 // A file that is read as PNG.
 class Reader {
  public:
@@ -62,8 +78,6 @@ class Reader {
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) throw std::bad_alloc();
     png_set_read_fn(png_, this, onRead);
-    // No chunk is longer than the file; what one unpacks to may be.
-    png_set_chunk_malloc_max(png_, std::max<std::size_t>(file.bytes.size(), 8'000'000));
     // A damaged chunk of transparency must not become an image without it.
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   }
@@ -269,6 +283,7 @@ void writePng(const Image& image, const TextEntries& entries, std::FILE* stream)
 }
 
 Image readPng(const ImageBytes& file) {
+  checkChunkLengths(file);
   return Reader(file).read();
 }
 
