@@ -48,7 +48,8 @@ fails() {
 scene=$scenes/spheres.txt
 
 # Command lines
-for options in '' '--bogus' "$scene extra" '--width' "$scene -o" "$scene --device" "$scene --quiet=x"; do
+for options in '' '--bogus' "$scene extra -o x.png" "$scene extra --json x" \
+  "$scene extra --watch" "$scene extra --resume x" "$scene $scene" '- -' '- --watch' '--width' "$scene -o" "$scene --device" "$scene --quiet=x"; do
   fails 2 "$lavaray" $options
 done
 for option in width height max-depth spp max-spp seed reflect light-radius target-error time-limit checkpoint-every; do
