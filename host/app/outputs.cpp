@@ -40,29 +40,31 @@ std::FILE* Outputs::pictureStream() const {
 }
 
 void Outputs::beginPicture(const Rectangle& part, const TextEntries& origin) {
-  rows_.emplace(format_, part.x1 - part.x0, part.y1 - part.y0, pictureStream(), origin);
+  part_ = part;
+  origin_ = origin;
 }
 
 void Outputs::writeRow(std::span<const float> rgb) {
   const Clock::time_point start = Clock::now();
+  if (!rows_) rows_.emplace(format_, part_.x1 - part_.x0, part_.y1 - part_.y0, pictureStream(), origin_);
   rows_->write(rgb);
   // The rest would be rendered for nothing.
   if (std::ferror(pictureStream()) != 0) commitPicture();
   timeOfRows_ += Clock::now() - start;
 }
 
-void Outputs::writeRowsOf(Render& render, const Rectangle& crop, const Rectangle& part) {
+void Outputs::writeRowsOf(Render& render, const Rectangle& crop) {
   float largest = 0.0F;
   if (options_.normalize) {
     render.handOverRows(
         [&](std::span<const float> row) { largest = std::max(largest, *std::ranges::max_element(row)); });
   }
-  const auto begin = 3 * static_cast<std::size_t>(part.x0 - crop.x0);
-  std::vector<float> shown(3 * static_cast<std::size_t>(part.x1 - part.x0));
+  const auto begin = 3 * static_cast<std::size_t>(part_.x0 - crop.x0);
+  std::vector<float> shown(3 * static_cast<std::size_t>(part_.x1 - part_.x0));
   const bool hasFalseColors = options_.view == View::kCost && !hasNumbers();
   int y = crop.y0;
   render.handOverRows([&](std::span<const float> row) {
-    const bool isShown = part.y0 <= y && y < part.y1;
+    const bool isShown = part_.y0 <= y && y < part_.y1;
     ++y;
     if (!isShown) return;
     std::ranges::copy(row.subspan(begin, shown.size()), shown.begin());

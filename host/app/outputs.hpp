@@ -23,13 +23,14 @@ class Outputs {
   // options must outlive it.
   explicit Outputs(const Options& options);
 
-  // The picture goes row by row from the top to its file or to stdout. Throws Error(kOutput) as soon as not
-  // everything could be written, or where the picture is too large for the format.
+  // The picture goes row by row from the top to its file or to stdout, where nothing is before the first row.
+  // Throws Error(kOutput) as soon as not everything could be written, or where the picture is too large for
+  // the format.
   void beginPicture(const Rectangle& part, const TextEntries& origin);
   void writeRow(std::span<const float> rgb);
-  // The rows that the render has not handed over, as far as they are in `part` of the crop that it rendered:
-  // stretched or coloured as the options say.
-  void writeRowsOf(Render& render, const Rectangle& crop, const Rectangle& part);
+  // The rows that the render has not handed over, as far as they are in the picture, which lies within the
+  // crop that is rendered: stretched or coloured as the options say.
+  void writeRowsOf(Render& render, const Rectangle& crop);
   void endPicture(const TextEntries& outcome);
   // What writing the rows has taken so far.
   [[nodiscard]] Clock::duration timeOfRows() const { return timeOfRows_; }
@@ -55,7 +56,9 @@ class Outputs {
   std::optional<OutputFile> output_;  // of the picture or the film; or else
   std::optional<CheckedStream> stdout_;
   std::optional<OutputFile> json_;
-  std::optional<RowWriter> rows_;  // of the picture
+  Rectangle part_;  // the picture
+  TextEntries origin_;
+  std::optional<RowWriter> rows_;
   Clock::duration timeOfRows_{};
 };
 

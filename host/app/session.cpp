@@ -92,8 +92,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   if (!options_.resume.empty()) {
     resume(options_.resume, identity, settings, open.device.description().name, render);
   }
-  const TextEntries origin = describeOrigin(options_, settings, open.device.description().name);
-  if (!settings.keepsPicture) outputs.beginPicture(part, origin);
+  outputs.beginPicture(part, describeOrigin(options_, settings, open.device.description().name));
   bool isOfThePast = false;
   progress_.begin("rendering");
   context_.keepWhenInterrupted();
@@ -113,8 +112,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 
   checkpoint.save(render);
   viewer_.showFinished(render);
-  if (settings.keepsPicture && !outputs.hasFilm()) outputs.beginPicture(part, origin);
-  writeOutputs(render, settings, part, identity, outputs);
+  writeOutputs(render, settings, identity, outputs);
   if (isInterrupted) {
     const std::string name = options_.output == "-" ? "stdout" : options_.output;
     const int percent = static_cast<int>(100.0 * render.shareDone());
@@ -129,14 +127,14 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
 }
 
-void Session::writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
-                           const Identity& identity, Outputs& outputs) {
+void Session::writeOutputs(Render& render, const RenderSettings& settings, const Identity& identity,
+                           Outputs& outputs) {
   const vulkan::Device& device = device_.get().device;
   const RenderStatistics statistics = render.statistics();
   if (outputs.hasFilm()) {
     outputs.writeFilm(render, identity);
   } else {
-    outputs.writeRowsOf(render, settings.crop, part);
+    outputs.writeRowsOf(render, settings.crop);
     outputs.endPicture(describeOutcome(options_.view, statistics, times_.seconds()));
   }
   times_.endStep("write image");

@@ -34,8 +34,8 @@ class Session {
   [[nodiscard]] bool isEnded() const;
 
  private:
-  void writeOutputs(Render& render, const RenderSettings& settings, const Rectangle& part,
-                    const Identity& identity, Outputs& outputs);
+  void writeOutputs(Render& render, const RenderSettings& settings, const Identity& identity,
+                    Outputs& outputs);
   bool proceed(const Render& render);
 
   const Options& options_;
