@@ -21,13 +21,14 @@ void onFileTooLarge(int /*signal*/) {
 }
 
 // Only after a file could not grow is that the reason. Otherwise the access is made again, without this
-// handler, and ends the process as it would have.
+// handler, and ends the process as it would have; what another process has sent is sent again.
 void onBusError(int signal, siginfo_t* info, void* /*context*/) {
+  removeTemporaryFiles();
   if (!wasLimitMet || info->si_code != BUS_ADRERR) {
     std::signal(signal, SIG_DFL);
+    if (info->si_code <= 0) raise(signal);
     return;
   }
-  removeTemporaryFiles();
   (void)!write(STDERR_FILENO, message.data(), message.size());
   _exit(static_cast<int>(ExitCode::kMemory));
 }

@@ -35,6 +35,10 @@ Outputs::Outputs(const Options& options) : options_(options), hasFilm_(writesFil
   if (!options.json.empty()) json_.emplace(OutputName{"--json", options.json});
 }
 
+void Outputs::checkSize(int width, int height) const {
+  if (output_ && !hasFilm_ && format_ == ImageFormat::kBmp) checkBmpSize(width, height);
+}
+
 std::FILE* Outputs::pictureStream() const {
   return output_ ? output_->stream() : stdout_->get();
 }

@@ -23,6 +23,9 @@ class Outputs {
   // options must outlive it.
   explicit Outputs(const Options& options);
 
+  // Throws Error(kOutput) where a picture of that size does not fit the format.
+  void checkSize(int width, int height) const;
+
   // The picture goes row by row from the top to its file or to stdout, where nothing is before the first row.
   // Throws Error(kOutput) as soon as not everything could be written, or where the picture is too large for
   // the format.

@@ -68,6 +68,10 @@ Failure currentFailure() {
   } catch (const std::bad_alloc&) {
     return {ExitCode::kMemory, kNoMemory};
   } catch (const std::system_error& error) {
+    // A thread that cannot start says no more than to try again.
+    const bool isMemory = error.code() == std::errc::not_enough_memory ||
+                          error.code() == std::errc::resource_unavailable_try_again;
+    if (isMemory) return {ExitCode::kMemory, kNoMemory};
     return {ExitCode::kInternalError, "the system refuses what is needed: " + error.code().message()};
   } catch (const std::exception& error) {
     return {ExitCode::kInternalError,

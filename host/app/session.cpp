@@ -9,6 +9,7 @@
 #include "app/json_report.hpp"
 #include "app/origin.hpp"
 #include "app/usage.hpp"
+#include "core/memory_room.hpp"
 
 namespace lavaray {
 namespace {
@@ -48,6 +49,21 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   return settings;
 }
 
+// Before the first ray: later, all that was rendered would be lost.
+void checkMemory(const RenderSettings& settings) {
+  const std::uint64_t needed = hostBytes(settings);
+  const MemoryRoom room = memoryRoom();
+  if (needed <= room.bytes) return;
+  const Rectangle& part = settings.crop;
+  const bool isOneSample = settings.samples == 1 && !settings.targetError;
+  throw Error(ExitCode::kMemory,
+              "there is not enough memory: a picture of " + std::to_string(part.x1 - part.x0) + " x " +
+                  std::to_string(part.y1 - part.y0) + " pixels needs " + inGigabytes(needed) + ", and " +
+                  room.limit + ' ' + inGigabytes(room.bytes) +
+                  "; a smaller --width or --height needs less, or parts by --crop" +
+                  (isOneSample ? "" : ", or one sample per pixel"));
+}
+
 }  // namespace
 
 Session::Session(const Options& options, RenderContext& context)
@@ -74,6 +90,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   RenderSettings settings = renderSettings(options_, size, part);
   settings.shader = inputs_.shader();
   Outputs outputs(options_);
+  outputs.checkSize(part.x1 - part.x0, part.y1 - part.y0);
 
   progress_.begin("building the hierarchy");
   inputs_.flatten();
@@ -88,6 +105,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 
   const Identity identity = keepsFilm(options_) ? describeIdentity(options_, inputs_, settings) : Identity{};
   Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
+  checkMemory(settings);
   Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
   if (!options_.resume.empty()) {
     resume(options_.resume, identity, settings, open.device.description().name, render);
