@@ -93,7 +93,8 @@ const uint kSpecView = 11u;
 const uint kSpecFewSpheres = 12u;  // of a scene of few primitives, as the next one
 const uint kSpecFewTriangles = 13u;
 const uint kSpecHasTileStarts = 14u;
-const uint kSpecCount = 15u;
+const uint kSpecAsData = 15u;
+const uint kSpecCount = 16u;
 
 // A WorkResult's squares where there is none yet.
 const float kUnfinished = -1.0f;
@@ -116,6 +117,7 @@ const uint kViewDepth = 2u;   // the distance from the camera, and 1; both 0 whe
 const uint kViewObject = 3u;  // a colour for each object
 const uint kViewShadow = 4u;  // share of the lights that are not blocked
 const uint kViewCost = 5u;    // nodes and primitives that the rays are tested against
+// Where kSpecAsData is set, kViewNormal is n, and kViewObject the object's number, counted from 1.
 
 // An inner node of the BVH with the boxes of up to four children. On each axis the side s of a box lies at origin +
 // s 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in it. A child that

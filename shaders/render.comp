@@ -52,7 +52,7 @@ bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState 
   if (finished) {
     vec3 color = path.color;
     if (kView == kViewCost) color = vec3(path.tests);
-    if (kView != kViewCost && kView != kViewDepth) color = displayed(color);
+    if (kView != kViewCost && kView != kViewDepth && !kAsData) color = displayed(color);
     state.sum += color;
     state.squares += preciseDot(color, color) / 3.0;
     ++state.taken;

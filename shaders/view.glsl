@@ -7,6 +7,9 @@
 #include "surface.glsl"
 #include "tests.glsl"
 
+// Whether the view is to be written as numbers, not shown.
+layout(constant_id = kSpecAsData) const bool kAsData = false;
+
 // Whether the view is one of the surface alone, without lights.
 const bool kViewsSurface = kView == kViewNormal || kView == kViewDepth || kView == kViewObject;
 
@@ -21,9 +24,9 @@ vec3 objectColor(uint object) {
 
 // The depth comes with a 1, so that its sum over samples has their number: those that hit nothing have no depth.
 vec3 viewedSurface(Ray ray, Hit hit, SurfacePoint point) {
-  if (kView == kViewNormal) return 0.5 * point.shadingNormal + 0.5;
+  if (kView == kViewNormal) return kAsData ? point.shadingNormal : 0.5 * point.shadingNormal + 0.5;
   if (kView == kViewDepth) return vec3(min(hit.t * preciseLength(ray.direction), kFarthest), 1.0, 0.0);
-  return objectColor(hit.object);
+  return kAsData ? vec3(hit.object + 1u) : objectColor(hit.object);
 }
 
 #endif

@@ -3,7 +3,7 @@
 set -u
 programs=$1 completion=$2 scratch=$3
 rm -rf "$scratch" && mkdir -p "$scratch/folder" && cd "$scratch" || exit 1
-touch scene.txt 'my scene.txt' mesh.obj picture.png picture.pfm part.film report.json folder/inner.txt
+touch scene.txt 'my scene.txt' mesh.obj picture.png picture.pfm picture.exr part.film report.json folder/inner.txt
 PATH=$programs:$PATH
 source "$completion"
 failures=0
@@ -46,6 +46,9 @@ offers 'lavaray --sampler = r' random
 offers 'lavaray --sampler =' sobol random
 offers 'lavaray scene.txt --view s' samples shadow
 offers 'lavaray --filter ' box tent gaussian blackman-harris
+offers 'lavaray --layers ' normal depth object samples error
+offers 'lavaray --layers depth,n' depth,normal
+offers 'lavaray --layers = depth,object,s' depth,object,samples
 views=$(lavaray --view x 2>&1 | sed -n 's/.*allowed are \([^;]*\);.*/\1/p' | tr -d ,)
 offers 'lavaray --view ' $views
 for view in $views; do
@@ -61,17 +64,17 @@ offers 'lavaray --stats s' scene.txt
 offers 'lavaray my\' 'my scene.txt'
 offers 'lavaray "my' 'my scene.txt'
 offers 'lavaray folder/' folder/inner.txt
-offers 'lavaray scene.txt -o ' picture.png picture.pfm part.film folder
-offers 'lavaray scene.txt --output = pic' picture.png picture.pfm
+offers 'lavaray scene.txt -o ' picture.png picture.pfm picture.exr part.film folder
+offers 'lavaray scene.txt --output = pic' picture.png picture.pfm picture.exr
 offers 'lavaray --resume ' part.film folder
 offers 'lavaray --checkpoint p' part.film
 offers 'lavaray --json ' report.json folder
 offers 'lavaray --shaders ' folder
-offers 'lavaray-diff ' picture.png picture.pfm folder
-offers 'lavaray-diff picture.png pic' picture.png picture.pfm
-offers 'lavaray-diff a.png b.png -o ' picture.png picture.pfm folder
+offers 'lavaray-diff ' picture.png picture.pfm picture.exr folder
+offers 'lavaray-diff picture.png pic' picture.png picture.pfm picture.exr
+offers 'lavaray-diff a.png b.png -o ' picture.png picture.pfm picture.exr folder
 offers 'lavaray-merge part.film ' part.film folder
-offers 'lavaray-merge -o p' picture.png picture.pfm
+offers 'lavaray-merge -o p' picture.png picture.pfm picture.exr
 
 # Numbers and the like are not guessed; what takes nothing is followed by an argument.
 offers 'lavaray --width '

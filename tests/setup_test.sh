@@ -50,7 +50,7 @@ expect 1 "$(says Debian 'ninja-build python3 xdotool')" "$scratch/few" build tes
 expect 1 "$(says Fedora 'ninja-build python3 xdotool')" "$scratch/fedora-few" build test
 expect 1 "$(says 'Arch Linux' 'ninja python xdotool')" "$scratch/arch-few" build test
 # Without a compiler no header or library can be found, and each package is named once.
-expect 1 "$(says 'Arch Linux' 'gcc glslang spirv-tools spirv-headers vulkan-headers glm cimg libpng cli11 nlohmann-json xxhash libx11 vulkan-icd-loader')" \
+expect 1 "$(says 'Arch Linux' 'gcc glslang spirv-tools spirv-headers vulkan-headers glm cimg libpng openexr cli11 nlohmann-json xxhash libx11 vulkan-icd-loader')" \
   "$scratch/arch-no-compiler" build
 expect 2 'setup: unknown purpose tests, allowed are build, test, swiftshader, format, fuzz, package, package-test, slurm-test' \
   "$scratch/all" tests

@@ -60,7 +60,7 @@ TEST_P(MisfitAtLine, IsReported) {
 
 static_assert(gpu::kBindingCount == 13 && gpu::kTexelBindings == 8 && gpu::kBindingWork == 9 &&
               gpu::kBindingStatus == 12);
-static_assert(gpu::kSpecCount == 15 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
+static_assert(gpu::kSpecCount == 16 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
 static_assert(sizeof(gpu::DispatchConstants) == 64);
 
 constexpr Edit kEdits[] = {
@@ -92,8 +92,8 @@ constexpr Edit kEdits[] = {
      "a work group is 32 x 2 x 1, the program's is 64 x 1 x 1"},
     {"SpecializedWorkGroup", "render.comp", "local_size_x = kWorkGroupSize", "local_size_x_id = 3",
      "the size of a work group must not be a specialization constant"},
-    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 15",
-     "`kCountRays` is specialization constant 15, the program has 0 to 14 only"},
+    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 16",
+     "`kCountRays` is specialization constant 16, the program has 0 to 15 only"},
     {"FloatSpecialization", "scene_data.glsl", "const uint kPlaneCount = 0u;",
      "const float kPlanes = 0.0; uint kPlaneCount = uint(kPlanes);",
      "`kPlanes` is specialization constant 3, which is a bool or an integer of 32 bits in the program"},

@@ -1,5 +1,6 @@
 #include "app/options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
@@ -8,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/layers.hpp"
 #include "app/usage.hpp"
 #include "app/version.hpp"
 #include "core/errors.hpp"
@@ -18,13 +20,13 @@ namespace lavaray {
 namespace {
 
 void addRenderOptions(CLI::App& app, Options& options) {
-  app.add_option(
-         "-o,--output", options.output,
-         "Image to write; its ending says the format: .bmp, .png or .ppm (8 bits a channel), .pfm "
-         "(float) or .film (a part for lavaray-merge). '-' writes PPM to stdout. Default: SCENE's name "
-         "with .bmp, in the current folder. {} stands for SCENE's name without its folder and ending "
-         "('stdin' "
-         "where that is -), and must be in it where there are several")
+  app.add_option("-o,--output", options.output,
+                 "Image to write; its ending says the format: .bmp, .png or .ppm (8 bits a channel), .pfm "
+                 "(float), .exr (linear light, float) or .film (a part for lavaray-merge). '-' writes PPM to "
+                 "stdout. Default: SCENE's name "
+                 "with .bmp, in the current folder. {} stands for SCENE's name without its folder and ending "
+                 "('stdin' "
+                 "where that is -), and must be in it where there are several")
       ->type_name("FILE")
       ->check(fileName());
   const CLI::Validator side = integerFrom(1, kMaxImageSide);
@@ -136,6 +138,19 @@ void addViewOption(CLI::App& app, Options& options) {
       ->default_str("color");
 }
 
+void addExrOptions(CLI::App& app, Options& options) {
+  app.add_flag("--half", options.half, "Write the colours of an EXR file in 16 bits in place of 32");
+  app.add_option_function<std::string>(
+         "--layers", [&options](const std::string& names) { options.layers = layersNamed(names); },
+         "Beside the EXR file OUT write OUT.NAME.exr for each NAME, parted by commas: numbers in 32 bits. "
+         "normal "
+         "(-1 to 1), depth (distance along the ray) and object (its number) are of the pixel's centre, "
+         "samples "
+         "(how many) and error (as estimated, with --target-error) of the picture")
+      ->type_name("NAMES")
+      ->check(CLI::Validator([](const std::string& /*names*/) { return std::string(); }, kLayerNames));
+}
+
 void addSceneOptions(CLI::App& app, Options& options) {
   app.add_option("--max-depth", options.maxDepth, "Mirror bounces")
       ->type_name("N")
@@ -208,6 +223,21 @@ void checkOutput(const std::string& output) {
                                     kImageFormatNames + " and .film, or - for PPM to stdout");
 }
 
+void checkExr(const Options& options) {
+  const bool isExr = imageFormat(options.output) == ImageFormat::kExr;
+  if (options.half && !isExr) {
+    throw Error(ExitCode::kUsage, "--half is for EXR; give --output the ending .exr");
+  }
+  if (!options.layers.empty() && !isExr) {
+    throw Error(ExitCode::kUsage,
+                "--layers writes EXR files beside an EXR picture; give --output the ending .exr");
+  }
+  const bool hasError = std::ranges::find(options.layers, Layer::kError) != options.layers.end();
+  if (hasError && !options.targetError) {
+    throw Error(ExitCode::kUsage, "--layers error needs --target-error: without, the error is not estimated");
+  }
+}
+
 void checkFilms(const Options& options) {
   const bool hasFilm = writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
   if (hasFilm && options.view != View::kColor) {
@@ -246,6 +276,7 @@ std::vector<Options> parseOptions(int argc, const char* const* argv) {
   addRenderOptions(app, options);
   addSamplingOptions(app, options);
   addViewOption(app, options);
+  addExrOptions(app, options);
   addSceneOptions(app, options);
   addFilmOptions(app, options);
   addInteractiveOptions(app, options);
@@ -263,6 +294,7 @@ std::vector<Options> parseOptions(int argc, const char* const* argv) {
   const std::vector<Options> all = optionsOfScenes(options, scenes);
   for (const Options& one : all) {
     checkOutput(one.output);
+    checkExr(one);
     checkSampleRange(one);
     checkFilms(one);
   }
@@ -272,6 +304,9 @@ std::vector<Options> parseOptions(int argc, const char* const* argv) {
 std::vector<OutputName> outputNames(const Options& options) {
   std::vector<OutputName> names;
   if (!options.check && options.output != "-") names.push_back({"--output", options.output});
+  for (const Layer layer : options.layers) {
+    if (!options.check) names.push_back(layerOutput(options, layer));
+  }
   if (!options.json.empty()) names.push_back({"--json", options.json});
   if (!options.check && !options.checkpoint.empty()) names.push_back(checkpointName(options));
   return names;

@@ -9,6 +9,7 @@
 #include "core/scene.hpp"
 #include "image/image.hpp"
 #include "image/output_file.hpp"
+#include "render/layer.hpp"
 #include "render/settings.hpp"
 
 namespace lavaray {
@@ -31,6 +32,8 @@ struct Options {
   std::optional<double> timeLimitSeconds;
   std::uint32_t seed = 0;
   View view = View::kColor;
+  bool half = false;
+  std::vector<Layer> layers;
   std::uint32_t maxDepth = 8;
   double reflect = 0.0;
   double lightRadius = 0.0;

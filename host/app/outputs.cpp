@@ -31,7 +31,8 @@ Outputs::Outputs(const Options& options) : options_(options), hasFilm_(writesFil
     checkNotRead(STDOUT_FILENO, "stdout");
     stdout_.emplace(STDOUT_FILENO);
   }
-  if (output_ && !hasFilm_) format_ = imageFormat(options.output).value();
+  if (output_ && !hasFilm_)
+    format_ = options.half ? ImageFormat::kExrHalf : imageFormat(options.output).value();
   if (!options.json.empty()) json_.emplace(OutputName{"--json", options.json});
 }
 

@@ -91,6 +91,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   settings.shader = inputs_.shader();
   Outputs outputs(options_);
   outputs.checkSize(part.x1 - part.x0, part.y1 - part.y0);
+  Layers layers(options_);
 
   progress_.begin("building the hierarchy");
   inputs_.flatten();
@@ -106,6 +107,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   const Identity identity = keepsFilm(options_) ? describeIdentity(options_, inputs_, settings) : Identity{};
   Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
   checkMemory(settings);
+  if (!traceLayers(layers, settings, part, isOutdated)) return ExitCode::kSuccess;
   Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
   if (!options_.resume.empty()) {
     resume(options_.resume, identity, settings, open.device.description().name, render);
@@ -130,7 +132,9 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 
   checkpoint.save(render);
   viewer_.showFinished(render);
+  layers.write(render, settings, part, open.device.description().name);
   writeOutputs(render, settings, identity, outputs);
+  layers.commit();
   if (isInterrupted) {
     const std::string name = options_.output == "-" ? "stdout" : options_.output;
     const int percent = static_cast<int>(100.0 * render.shareDone());
@@ -143,6 +147,24 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
                                        options_.checkpoint.string() + " is not: see the warning");
   }
   return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
+}
+
+// Before the picture: an interrupted one then has them, too. Returns false where they are of the past.
+bool Session::traceLayers(Layers& layers, const RenderSettings& settings, const Rectangle& part,
+                          const IsOutdated& isOutdated) {
+  if (!layers.areTraced()) return true;
+  bool isOfThePast = false;
+  progress_.begin("tracing the layers");
+  const bool isWhole = layers.trace(device_.get().device, inputs_.scene(), inputs_.gpuScene(), settings, part,
+                                    [&](double share) {
+                                      progress_.update(share, "");
+                                      isOfThePast = isOutdated();
+                                      return !isEnded() && !isOfThePast;
+                                    });
+  progress_.end();
+  times_.endStep("trace layers");
+  if (isWhole || isOfThePast) return isWhole;
+  throw Error(interruptCode(), "interrupted before the picture was begun");
 }
 
 void Session::writeOutputs(Render& render, const RenderSettings& settings, const Identity& identity,

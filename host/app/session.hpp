@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "app/inputs.hpp"
+#include "app/layers.hpp"
 #include "app/options.hpp"
 #include "app/outputs.hpp"
 #include "app/render_context.hpp"
@@ -36,6 +37,8 @@ class Session {
  private:
   void writeOutputs(Render& render, const RenderSettings& settings, const Identity& identity,
                     Outputs& outputs);
+  bool traceLayers(Layers& layers, const RenderSettings& settings, const Rectangle& part,
+                   const IsOutdated& isOutdated);
   bool proceed(const Render& render);
 
   const Options& options_;

@@ -47,7 +47,8 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
       "\n"
       "Without a limit, images that differ at all exit with 10. Exit codes: 0 alike, 1 internal error,\n"
       "2 usage, 3 an image cannot be read, 5 output not written, 6 not enough memory, 10 the images differ.");
-  app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pgm, .pbm, .pfm)")->required();
+  app.add_option("IMAGE", options.image, "Image to look at (.bmp, .png, .ppm, .pgm, .pbm, .pfm, .exr)")
+      ->required();
   app.add_option("REFERENCE", options.reference, "Image to compare it with");
   app.add_option("--tolerance", options.tolerance, "A channel off by at most T/255 does not differ")
       ->type_name("T")
@@ -62,9 +63,9 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   app.add_option("--max-flip", options.maxFlip, "Allow a mean FLIP (perceived difference, 0..1) of F")
       ->type_name("F")
       ->check(numberFrom(0.0));
-  app.add_option(
-         "-o,--output", options.output,
-         "Picture of the difference to write (.bmp, .png, .ppm, .pfm), the largest as 1, alpha's as grey")
+  app.add_option("-o,--output", options.output,
+                 "Picture of the difference to write (.bmp, .png, .ppm, .pfm, .exr), the largest as 1, "
+                 "alpha's as grey")
       ->type_name("FILE")
       ->check(fileName());
   CLI::Option* info = app.add_flag("--info", options.info, "Print size, format and texts of IMAGE alone");

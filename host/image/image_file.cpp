@@ -9,6 +9,7 @@
 #include <CImg.h>
 
 #include "core/errors.hpp"
+#include "image/row_writer.hpp"
 
 namespace lavaray {
 namespace {
@@ -37,6 +38,7 @@ std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
   if (ending == ".png") return ImageFormat::kPng;
   if (ending == ".ppm") return ImageFormat::kPpm;
   if (ending == ".pfm") return ImageFormat::kPfm;
+  if (ending == ".exr") return ImageFormat::kExr;
   return std::nullopt;
 }
 
@@ -44,9 +46,10 @@ void checkBmpSize(int width, int height) {
   const std::uint64_t row = (std::uint64_t{3} * width + 3) / 4 * 4;
   const std::uint64_t bytes = 54 + row * height;
   if (bytes <= 0xFFFFFFFFU) return;
-  throw Error(ExitCode::kOutput, "a BMP file of " + std::to_string(width) + " x " + std::to_string(height) +
-                                     " pixels would take " + std::to_string(bytes) +
-                                     " bytes, at most 4294967295 are allowed; write .png, .ppm or .pfm");
+  throw Error(ExitCode::kOutput,
+              "a BMP file of " + std::to_string(width) + " x " + std::to_string(height) +
+                  " pixels would take " + std::to_string(bytes) +
+                  " bytes, at most 4294967295 are allowed; write .png, .ppm, .pfm or .exr");
 }
 
 std::string formatName(ImageFormat format) {
@@ -57,6 +60,9 @@ std::string formatName(ImageFormat format) {
       return "PNG";
     case ImageFormat::kPpm:
       return "PPM";
+    case ImageFormat::kExr:
+    case ImageFormat::kExrHalf:
+      return "EXR";
     case ImageFormat::kPfm:
       break;
   }
@@ -67,6 +73,15 @@ void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const
   if (format == ImageFormat::kBmp) checkBmpSize(image.width, image.height);
   if (format == ImageFormat::kPng) {
     writePng(image, texts, stream);
+    return;
+  }
+  if (format == ImageFormat::kExr || format == ImageFormat::kExrHalf) {
+    RowWriter writer(format, image.width, image.height, stream, texts);
+    const std::size_t rowSize = std::size_t{3} * image.width;
+    for (std::size_t at = 0; at < image.rgb.size(); at += rowSize) {
+      writer.write(std::span(image.rgb).subspan(at, rowSize));
+    }
+    writer.finish();
     return;
   }
   try {

@@ -13,13 +13,15 @@
 namespace lavaray {
 
 enum class ImageFormat {
-  kBmp,  // 8 bits a channel: trunc(255 c)
-  kPng,  // likewise
-  kPpm,  // likewise
-  kPfm,  // the float values as they are
+  kBmp,      // 8 bits a channel: trunc(255 c)
+  kPng,      // likewise
+  kPpm,      // likewise
+  kPfm,      // the float values as they are
+  kExr,      // the linear light of the values, see exr_file.hpp
+  kExrHalf,  // likewise, 16 bits a channel; no ending means this one
 };
 
-inline constexpr const char* kImageFormatNames = ".bmp, .png, .ppm, .pfm";
+inline constexpr const char* kImageFormatNames = ".bmp, .png, .ppm, .pfm, .exr";
 
 // By the ending of the name, whatever its case; nothing for any other ending.
 std::optional<ImageFormat> imageFormat(const std::filesystem::path& file);
@@ -27,7 +29,7 @@ std::optional<ImageFormat> imageFormat(const std::filesystem::path& file);
 std::string formatName(ImageFormat format);
 
 // Throws Error(kOutput) where the image is too large for the format. Whether all was written is for the owner
-// of the stream to check. Of the formats only PNG has texts.
+// of the stream to check. Of the formats only PNG and EXR have texts.
 void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const TextEntries& texts = {});
 
 // Throws Error(kOutput) where a BMP file would be larger than its header can say.

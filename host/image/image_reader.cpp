@@ -11,6 +11,7 @@
 
 #include "core/file_claims.hpp"
 #include "image/bmp_file.hpp"
+#include "image/exr_file.hpp"
 #include "image/image_bytes.hpp"
 #include "image/image_file.hpp"
 #include "image/png_file.hpp"
@@ -40,8 +41,9 @@ constexpr std::array kFormats{
     Format{"PPM", "P6"sv, kPnmEndings, readPnm},
     Format{"PFM", "PF"sv, ".pfm ", readPfm},
     Format{"PFM", "Pf"sv, ".pfm ", readPfm},
+    Format{"EXR", "\x76\x2F\x31\x01"sv, ".exr ", readExr},
 };
-constexpr const char* kAllowed = "allowed are BMP, PNG, PPM, PGM, PBM and PFM";
+constexpr const char* kAllowed = "allowed are BMP, PNG, PPM, PGM, PBM, PFM and EXR";
 
 // Kinds of files that are given a name when they are refused.
 struct OtherKind {
@@ -60,7 +62,6 @@ constexpr std::array kOtherKinds{
     OtherKind{"a TIFF image", "II+\0"sv},
     OtherKind{"a WebP image", "WEBP"sv, 8},
     OtherKind{"an AVIF or HEIF image", "ftyp"sv, 4},
-    OtherKind{"an OpenEXR image", "\x76\x2F\x31\x01"sv},
     OtherKind{"a Radiance image", "#?R"sv},
     OtherKind{"a PAM image", "P7"sv},
     OtherKind{"an OS/2 array of bitmaps", "BA"sv},

@@ -26,6 +26,16 @@ glm::dmat3 relativeTristimulusFromLinear() {
 const glm::mat3 kTristimulusFromLinear(relativeTristimulusFromLinear());
 const glm::mat3 kLinearFromTristimulus(glm::inverse(relativeTristimulusFromLinear()));
 
+// Where the straight line near 0 ends, encoded.
+constexpr double kLineEnd = 0.04045;
+
+template <typename Number>
+Number decoded(Number encoded) {
+  if (encoded <= static_cast<Number>(kLineEnd)) return encoded / static_cast<Number>(12.92);
+  return std::pow((encoded + static_cast<Number>(0.055)) / static_cast<Number>(1.055),
+                  static_cast<Number>(2.4));
+}
+
 // The cube root, but a straight line near 0, where the root has no derivative.
 float labRoot(float t) {
   constexpr float kDelta = 6.0F / 29.0F;
@@ -35,7 +45,15 @@ float labRoot(float t) {
 }  // namespace
 
 float linearFromSrgb(float encoded) {
-  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+  return decoded(encoded);
+}
+
+double linearFromSrgb(double encoded) {
+  return decoded(encoded);
+}
+
+double srgbFromLinear(double linear) {
+  return linear <= kLineEnd / 12.92 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
 glm::vec3 opponentFromLinear(const glm::vec3& linear) {

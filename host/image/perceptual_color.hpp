@@ -9,6 +9,9 @@ namespace lavaray {
 
 // One channel of sRGB, 0 to 1, decoded (IEC 61966-2-1).
 float linearFromSrgb(float encoded);
+// Likewise, and back; values beyond 0 and 1 go on along the same curves.
+double linearFromSrgb(double encoded);
+double srgbFromLinear(double linear);
 
 // Luminance, red against green and blue against yellow, each a difference of tristimulus values relative to
 // white: the YCxCz space without its factors and offset, which no linear filter needs.

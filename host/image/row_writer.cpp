@@ -54,7 +54,13 @@ RowWriter::RowWriter(ImageFormat format, int width, int height, std::FILE* strea
       break;
     case ImageFormat::kPng:
       png_ = std::make_unique<PngWriter>(width, height, texts, stream);
-      return;  // It has rows of its own.
+      return;  // It has rows of its own, as the next one.
+    case ImageFormat::kExr:
+    case ImageFormat::kExrHalf:
+      exr_ = std::make_unique<ExrWriter>(width, height, 3,
+                                         format_ == ImageFormat::kExr ? ExrWriter::kFloat : ExrWriter::kHalf,
+                                         texts, stream);
+      return;
     case ImageFormat::kPpm:
       std::fprintf(stream_, "P6\n%d %d\n255\n", width, height);
       break;
@@ -92,6 +98,7 @@ bool RowWriter::isBottomUp() const {
 
 void RowWriter::write(std::span<const float> rgb) {
   if (png_) return png_->writeRow(rgb);
+  if (exr_) return exr_->writeColors(rgb);
   std::uint8_t* const row = &block_[(isBottomUp() ? blockRows_ - 1 - waiting_ : waiting_) * rowBytes_];
   if (format_ == ImageFormat::kPfm) {
     toBigEndianFloats(rgb, row);
@@ -119,6 +126,7 @@ void RowWriter::writeBlock() {
 
 void RowWriter::finish(const TextEntries& texts) {
   if (png_) return png_->finish(texts);
+  if (exr_) return exr_->finish();
   if (waiting_ > 0) writeBlock();
 }
 

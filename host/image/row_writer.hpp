@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "image/exr_file.hpp"
 #include "image/image_file.hpp"
 
 namespace lavaray {
@@ -20,7 +21,8 @@ class RowWriter {
 
   // The next row, of 3 * width values in [0, 1].
   void write(std::span<const float> rgb);
-  // After the last row, with what is to be said of the image and was not known before it.
+  // After the last row, with what is to be said of the image and was not known before it; EXR's texts stand
+  // before the pixels only.
   void finish(const TextEntries& texts = {});
 
  private:
@@ -31,6 +33,7 @@ class RowWriter {
   ImageFormat format_;
   std::FILE* stream_;
   std::unique_ptr<PngWriter> png_;
+  std::unique_ptr<ExrWriter> exr_;
   // Rows wait in a block, as the file has them: those of a narrow image would be a system call each.
   std::size_t rowBytes_;
   std::size_t blockRows_;

@@ -25,6 +25,7 @@ struct MergeOptions {
   std::string output;
   std::optional<Rectangle> crop;
   bool normalize = false;
+  bool half = false;
   bool check = false;
   bool quiet = false;
 };
@@ -38,14 +39,16 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
       "Exit codes: 0 fine, 2 usage, 3 parts that are damaged, foreign or missing, 5 output not written,\n"
       "6 not enough memory.");
   app.add_option("PARTS", options.parts, "Films of all of the picture, in any order")->required();
-  CLI::Option* output = app.add_option("-o,--output", options.output,
-                                       "Image to write; its ending says the format: .bmp, .png, .ppm, .pfm")
-                            ->type_name("FILE")
-                            ->check(fileName());
+  CLI::Option* output =
+      app.add_option("-o,--output", options.output,
+                     "Image to write; its ending says the format: .bmp, .png, .ppm, .pfm, .exr")
+          ->type_name("FILE")
+          ->check(fileName());
   app.add_flag("--check", options.check, "Say of each part whether it is whole and complete; merge nothing")
       ->excludes(output);
   addCropOption(app, options.crop, "Only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top");
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
+  app.add_flag("--half", options.half, "Write an EXR file in 16 bits a channel in place of 32");
   app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");
   if (!parseCommandLine(app, argc, argv)) return std::nullopt;
   if (!options.check && options.output.empty()) {
@@ -54,6 +57,9 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
   if (!options.check && !imageFormat(options.output)) {
     throw Error(ExitCode::kUsage, "--output " + options.output +
                                       ": its ending says no image format; allowed are " + kImageFormatNames);
+  }
+  if (options.half && imageFormat(options.output) != ImageFormat::kExr) {
+    throw Error(ExitCode::kUsage, "--half is for EXR; give --output the ending .exr");
   }
   return options;
 }
@@ -111,7 +117,8 @@ ExitCode mergeParts(const MergeOptions& options) {
                              {"Size", std::to_string(width) + " x " + std::to_string(height)},
                              {"Parts", std::to_string(options.parts.size())},
                              {"Device", merge.first().device}};
-  RowWriter writer(imageFormat(options.output).value(), width, height, output.stream(), texts);
+  const ImageFormat format = options.half ? ImageFormat::kExrHalf : imageFormat(options.output).value();
+  RowWriter writer(format, width, height, output.stream(), texts);
   progress.begin("merging");
   for (int y = 0; y < height; ++y) {
     merge.readRow(area.y0 + y, area.x0, row);

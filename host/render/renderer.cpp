@@ -171,6 +171,30 @@ void Render::forEachRow(const TakeRow& take) const {
   rows.finish(take);
 }
 
+// One value for each pixel of the crop: of the traced ones by their number.
+template <typename Value>
+std::vector<float> Render::wholeValues(float elsewhere, const Value& value) const {
+  std::vector<float> values(pixelsOf(crop_), elsewhere);
+  const Rectangle& part = settings_.crop;
+  std::uint64_t pixel = 0;
+  for (int y = part.y0; isTraced() && y < part.y1; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y - crop_.y0) * (crop_.x1 - crop_.x0);
+    for (int x = part.x0; x < part.x1; ++x) values[row + (x - crop_.x0)] = value(pixel++);
+  }
+  return values;
+}
+
+std::vector<float> Render::pixelSamples() const {
+  const SampleRange range = sampleRange(settings_);
+  return wholeValues(static_cast<float>(range.end - range.first),
+                     [this](std::uint64_t pixel) { return static_cast<float>(sampling_->samples(pixel)); });
+}
+
+std::vector<float> Render::pixelErrors() const {
+  return wholeValues(
+      0.0F, [this](std::uint64_t pixel) { return static_cast<float>(sampling_->estimatedError(pixel)); });
+}
+
 RenderStatistics Render::statistics() const {
   RenderStatistics result;
   result.stopReason = stopReason_;

@@ -72,6 +72,11 @@ class Render {
   [[nodiscard]] Image image() const;
   [[nodiscard]] RenderStatistics statistics() const;
 
+  // Of each pixel of the crop: its samples, those that are known to be black without one among them, and its
+  // estimated error, in units of a colour.
+  [[nodiscard]] std::vector<float> pixelSamples() const;
+  [[nodiscard]] std::vector<float> pixelErrors() const;
+
   // Writes all there is, to go on from; the view is the colour.
   void writeFilm(std::FILE* stream, const Identity& identity) const;
 
@@ -83,6 +88,8 @@ class Render {
   void forEachRow(const TakeRow& take) const;
   void copyShown(std::uint64_t first, std::span<glm::vec3> values) const;
   [[nodiscard]] float largestMeasure() const;
+  template <typename Value>
+  [[nodiscard]] std::vector<float> wholeValues(float elsewhere, const Value& value) const;
 
   const vulkan::Device& device_;
   Rectangle crop_;                      // of the picture that is asked for

@@ -41,6 +41,7 @@ struct RenderSettings {
   std::uint32_t maxSamples = 65536;
   std::optional<double> timeLimitSeconds;
   View view = View::kColor;
+  bool asData = false;  // of the views normal and object the numbers behind them, see gpu::kSpecAsData
   bool countRays = false;
   // Without it there is no picture to look at, to keep in a film or to go on from: each row is handed over as
   // soon as it is complete. For one sample a pixel and a view that is no measure.

@@ -55,6 +55,7 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
     values[gpu::kSpecStackSize] = gpu::kMaxBvhDepth;
   }
   values[gpu::kSpecView] = tracedView(settings.view);
+  values[gpu::kSpecAsData] = settings.asData ? 1 : 0;
   if (!tracesMirrors(settings.view)) values[gpu::kSpecHasMirrors] = 0;
   if (!tracesLights(settings.view)) {
     values[gpu::kSpecLightCount] = 0;

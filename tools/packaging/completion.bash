@@ -55,6 +55,8 @@ _lavaray() {
   local unquoted=${word#[\"\']}
   unquoted=${unquoted//\\/}
   case $value:$word in
+    # Names parted by commas: the last one.
+    NAMES:*) replies=$(compgen -P "${word%"${word##*,}"}" -W "$choices" -- "${word##*,}") ;;
     NAME:*) replies=$(compgen -W "$choices" -- "$word") ;;
     FILE:*) replies=$(_lavaray_files "$unquoted" $endings) ;;
     DIR:*) replies=$(compgen -d -- "$unquoted") ;;

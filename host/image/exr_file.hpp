@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <span>
+
+#include "image/image.hpp"
+#include "image/image_bytes.hpp"
+
+namespace lavaray {
+
+// EXR files hold linear light: a viewer shows 0.214 as it shows a PNG's 0.5. So colours, which are what a
+// display is sent (sRGB), are decoded when they are written, and encoded when they are read.
+
+// Writes an EXR file row by row from the top: scan lines, compressed by ZIP, channels R, G, B or one channel
+// Y, by which name most readers take it for grey. The texts become attributes of its header. In 32 bits a
+// colour keeps its 8-bit level.
+class ExrWriter {
+ public:
+  enum Precision { kFloat, kHalf };
+
+  // One channel or three. Throws Error(kOutput) for what OpenEXR refuses; whether all was written is for the
+  // owner of the stream, which can be sought in, to check.
+  ExrWriter(int width, int height, std::size_t channels, Precision precision, const TextEntries& texts,
+            std::FILE* stream);
+  ~ExrWriter();
+  ExrWriter(const ExrWriter&) = delete;
+  ExrWriter& operator=(const ExrWriter&) = delete;
+
+  // The next values, all channels of a pixel side by side, in any division: numbers that are no colours.
+  void writeNumbers(std::span<const float> values);
+  // Likewise colours, which become linear light.
+  void writeColors(std::span<const float> values);
+  void finish();
+
+ private:
+  struct File;
+  void put(float value);
+
+  std::unique_ptr<File> file_;
+};
+
+// The picture in a file of R, G, B, or of Y alone, which is grey, and of A, of any compression and precision,
+// in scan lines or tiles. Fails for all else.
+Image readExr(const ImageBytes& file);
+
+}  // namespace lavaray
