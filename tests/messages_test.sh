@@ -64,14 +64,16 @@ for option in filter sampler view; do fails 2 "$lavaray" "$scene" --$option nons
 for options in '--spp 4 --target-error 0.1' '--view error' '--view normal --target-error 0.1' '-q -v' \
   '--check --json x.json --width 1 --height 65536' '--sample-range 1:2' '--spp 4 --sample-range 3:2' '--spp 4 --sample-range x' \
   '--checkpoint-every 3' '-o picture.jpg' '-o .' '--watch -o -' '--view depth -o part.film' \
-  '--normalize -o part.film' '--height 1 --width 65536'; do
+  '--normalize -o part.film' '--height 1 --width 65536' '--half' '--half -o a.png' '--layers depth' \
+  '--layers depth -o -' '--layers x -o a.exr' '--layers depth,depth -o a.exr' '--layers , -o a.exr' '--layers' \
+  '--layers error -o a.exr' '--layers depth -o a.exr --json a.depth.exr'; do
   fails 2 "$lavaray" "$scene" $options
 done
 for option in tolerance max-rmse max-flip max-differing; do
   for value in x -1 nan ''; do fails 2 "$diff" a.png b.png "--$option" "$value"; done
 done
 for options in '' 'a.png' '--info a.png b.png' 'a.png b.png -o x.jpg' '--bogus'; do fails 2 "$diff" $options; done
-for options in '' 'a.film' '-o a.png' 'a.film -o a.jpg' '--bogus' 'a.film -o a.png --crop 1,2'; do
+for options in '' 'a.film' '-o a.png' 'a.film -o a.jpg' '--bogus' 'a.film -o a.png --crop 1,2' 'a.film -o a.png --half'; do
   fails 2 "$merge" $options
 done
 
@@ -92,8 +94,9 @@ done
 
 # Images
 "$lavaray" "$scene" --width 16 -o good.png && "$lavaray" "$scene" --width 16 -o good.bmp &&
-  "$lavaray" "$scene" --width 16 -o good.ppm && "$lavaray" "$scene" --width 16 -o good.pfm || complain 'no images'
-for format in png bmp ppm pfm; do
+  "$lavaray" "$scene" --width 16 -o good.ppm && "$lavaray" "$scene" --width 16 -o good.pfm &&
+  "$lavaray" "$scene" --width 16 -o good.exr || complain 'no images'
+for format in png bmp ppm pfm exr; do
   printf 'not an image' >false.$format
   : >empty.$format
   head -c 60 good.$format >cut.$format
@@ -141,8 +144,10 @@ for file in no-such-folder/a.png folder.bmp endless.png "$long.png" /proc/a.png;
   fails '5|10' "$diff" good.png good.bmp -o "$file"
 done
 fails 5 "$lavaray" "$scene" --width 16 --json no-such-folder/a.json
+mkdir a.depth.exr
+fails 5 "$lavaray" "$scene" --width 16 --layers depth -o a.exr
 fails 5 "$lavaray" "$scene" --width 16 --checkpoint no-such-folder/a.film
-for format in png bmp ppm pfm; do
+for format in png bmp ppm pfm exr; do
   # What is too large is the file, or the memory of a driver that keeps it in one.
   fails '5|6' bash -c "ulimit -c 0; ulimit -f 1; '$lavaray' '$scene' --width 300 -o limited.$format"
 done
