@@ -135,8 +135,7 @@ void FilmWriter::finish() {
   std::fwrite(digest.data(), 1, digest.size(), stream_);
 }
 
-FilmReader::FilmReader(const std::filesystem::path& file)
-    : file_(file) {
+FilmReader::FilmReader(const std::filesystem::path& file) : file_(file) {
   noteRead(file, "the film");
   stream_ = std::fopen(file.c_str(), "rb");
   if (stream_ == nullptr) fail(std::string("cannot be read: ") + std::strerror(errno));
