@@ -108,7 +108,6 @@ def main():
 
 
 def try_random_moments(programs, scenes, work):
-    work.mkdir(parents=True)
     picture = work / 'picture.png'
     arguments = [programs / 'lavaray', scenes / 'extensions.txt', '--width', '300', '--spp', '400', '-o', picture]
     subprocess.run([programs / 'lavaray', scenes / 'facets.txt', '--width', '40', '-o', picture], check=True)
