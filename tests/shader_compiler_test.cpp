@@ -144,7 +144,8 @@ TEST(ShaderCompiler, WhatIsNoRegularFileIsNotOpened) {
 TEST(ShaderCompiler, EmptyFiles) {
   const ShaderFolder folder;
   folder.write("view.glsl", "");
-  EXPECT_NE(folder.error().find(": 'kViewsSurface': undeclared identifier"), std::string::npos) << folder.error();
+  EXPECT_NE(folder.error().find(": 'kViewsSurface': undeclared identifier"), std::string::npos)
+      << folder.error();
   folder.write("render.comp", " \n");
   EXPECT_EQ(folder.error(), (folder.path() / "render.comp").string() + ":1: the file is empty");
 }
