@@ -6,6 +6,7 @@ else is left in the folder, and the process ends within a second; two signals ar
 it, nothing is left, also where the file system keeps no file without a name (the library NO_UNNAMED_FILES, preloaded).
 """
 
+import atexit
 import os
 import pathlib
 import random
@@ -23,8 +24,10 @@ LONG = ['--width', '300', '--spp', '100000', '-q']
 
 
 def start(programs, scenes, output, *options, **more):
-    return subprocess.Popen([programs / 'lavaray', scenes / 'extensions.txt', *LONG, *options, '-o', output],
-                            stderr=subprocess.PIPE, text=True, **more)
+    render = subprocess.Popen([programs / 'lavaray', scenes / 'extensions.txt', *LONG, *options, '-o', output],
+                              stderr=subprocess.PIPE, text=True, **more)
+    atexit.register(render.kill)  # where the test fails
+    return render
 
 
 def left(work):
