@@ -119,6 +119,15 @@ holds 'the interrupted picture is named' grep -q '^lavaray: spheres.txt: interru
 holds 'those that are left are told of' grep -qx 'lavaray: interrupted; 2 scenes are left' stderr
 holds 'they have no pictures' test -s interrupted-spheres.ppm -a ! -e interrupted-fan.ppm
 
+# A picture that would take the place of a later scene's mesh.
+cp torus.obj first.ppm
+sed 's/torus\.obj/first.ppm/' torus.txt >later.txt
+cp fan.txt first.txt
+expect 2 '--output first.ppm would replace the mesh first.ppm' "$lavaray" first.txt later.txt $small -o '{}.ppm'
+expect 2 '--json first.ppm would replace the mesh first.ppm' "$lavaray" first.txt later.txt --check --json '{}.ppm'
+holds 'the mesh is as it was' cmp torus.obj first.ppm
+holds 'nothing is begun' test ! -e later.ppm
+
 # Standard input
 expect 0 '' "$lavaray" torus.txt $small -o torus.ppm
 expect 0 '' "$lavaray" - $small -o - <torus.txt

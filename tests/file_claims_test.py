@@ -120,6 +120,13 @@ def try_two_outputs():
         check(found.returncode == 2 and f'--output {first} and {option} {second} are the same file' in found.stderr,
               f'{first} and {second}: {found}')
         check(contents() == before, f'{first} and {second}: nothing has changed')
+    for option in ('--json', '--checkpoint'):
+        with open(work / 'stream', 'wb') as stream:
+            found = subprocess.run([lavaray, 'scene.ppm', '-o', '-', option, 'stream'], cwd=work, stdout=stream,
+                                   stderr=subprocess.PIPE, text=True, check=False)
+        check(found.returncode == 2 and f'--output - and {option} stream are the same file' in found.stderr,
+              f'stdout: {found}')
+        (work / 'stream').unlink()
     for options in (['-o', ''], ['--json', ''], ['--checkpoint', ''], ['--resume', ''], ['--shaders', ''],
                     ['--json', '-'], ['--checkpoint', '-']):
         found = run(lavaray, 'scene.ppm', *options)

@@ -445,6 +445,8 @@ def bmp_refusals():
         ("skips", b"\0\2\1\1" + row * HEIGHT + b"\0\1", "leave pixels out"), ("early-end", row * 2 + b"\0\1", "leave pixels out"),
         ("short-row", b"\x03\1\0\0" + row * HEIGHT + b"\0\1", "leave pixels out"),
         ("long-run", b"\x08\1\0\0" + row * HEIGHT + b"\0\1", "longer than the rest of its row"),
+        # As programs write that count a row's padding as pixels.
+        ("padded-rows", row[:2] + row * HEIGHT + b"\0\1", "longer than the rest of its row"),
         ("cut", row * (HEIGHT - 1), "ends before all of its pixels"),
     ):
         yield Refused(f"bmp-rle8-{name}.bmp", bmp(40, 8, data, compression=1, palette=palette), message)
@@ -463,7 +465,7 @@ def other_refusals():
         ("e.hdr", b"#?RADIANCE\n", "a Radiance image"), ("f.bmp", b"BA" + bytes(40), "an OS/2 array of bitmaps"),
         ("g.ppm.gz", b"\x1f\x8b\x08" + bytes(20), "a compressed file"), ("h.avif", b"\0\0\0\x1cftypavif", "an AVIF or HEIF"),
     ):
-        yield Refused(name, data, f"is {what}.*, which is not read; allowed are BMP, PNG, PPM, PGM, PBM and PFM")
+        yield Refused(name, data, f"is {what}.*, which is not read; allowed are BMP, PNG, PPM, PGM, PBM, PFM and EXR")
     yield Refused("text.ppm", b"P6 is how a PPM begins", "its width is \"is\"")
     yield Refused("other.txt", b"5\ncamera\n", "is no image that can be read; allowed are BMP")
     yield Refused("empty.png", b"", "is empty; allowed are BMP")

@@ -1,6 +1,7 @@
 #include "app/layers.hpp"
 
 #include <algorithm>
+#include <exception>
 
 #include "app/origin.hpp"
 #include "core/frame.hpp"
@@ -70,7 +71,15 @@ void Layers::write(const Render& render, const RenderSettings& settings, const R
 }
 
 void Layers::commit() {
-  for (File& file : files_) file.output.commit();
+  std::exception_ptr first;
+  for (File& file : files_) {
+    try {
+      file.output.commit();
+    } catch (...) {
+      if (!first) first = std::current_exception();
+    }
+  }
+  if (first) std::rethrow_exception(first);
 }
 
 }  // namespace lavaray

@@ -1,6 +1,7 @@
 #include "app/outputs.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,11 +30,20 @@ Outputs::Outputs(const Options& options) : options_(options), hasFilm_(writesFil
                   "the image cannot be written to stdout, which is closed or open for reading only");
     }
     checkNotRead(STDOUT_FILENO, "stdout");
+    claimStdout();
     stdout_.emplace(STDOUT_FILENO);
   }
   if (output_ && !hasFilm_)
     format_ = options.half ? ImageFormat::kExrHalf : imageFormat(options.output).value();
   if (!options.json.empty()) json_.emplace(OutputName{"--json", options.json});
+}
+
+// So that no other output is the file that stdout goes to.
+void Outputs::claimStdout() {
+  struct stat status {};
+  if (fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return;
+  stdoutClaim_.emplace(WriteTarget("/proc/self/fd/" + std::to_string(STDOUT_FILENO)), "-", "--output",
+                       std::filesystem::path());
 }
 
 void Outputs::checkSize(int width, int height) const {

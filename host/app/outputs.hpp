@@ -48,6 +48,7 @@ class Outputs {
 
  private:
   [[nodiscard]] std::FILE* pictureStream() const;
+  void claimStdout();
   void commitPicture();
 
   // Whether the picture's file is of numbers, to compute with, rather than for the eye.
@@ -57,6 +58,7 @@ class Outputs {
   bool hasFilm_;
   ImageFormat format_ = ImageFormat::kPpm;
   std::optional<OutputFile> output_;  // of the picture or the film; or else
+  std::optional<WriteClaim> stdoutClaim_;
   std::optional<CheckedStream> stdout_;
   std::optional<OutputFile> json_;
   Rectangle part_;  // the picture

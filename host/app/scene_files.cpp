@@ -4,10 +4,25 @@
 #include <system_error>
 
 #include "app/standard_input.hpp"
+#include "core/errors.hpp"
 #include "core/file_claims.hpp"
+#include "core/scene_reader.hpp"
 
 namespace lavaray {
 namespace {
+
+// Meshes, too, since an earlier scene's picture may be in their place when their scene's turn comes.
+void noteMeshes(const std::filesystem::path& scene) {
+  try {
+    (void)readScene(scene, [](const std::filesystem::path& mesh) {
+      noteRead(mesh, "the mesh");
+      return Mesh{};
+    });
+  } catch (const Error& error) {
+    if (error.exitCode() != ExitCode::kInput) throw;
+    // Told when it is the scene's turn.
+  }
+}
 
 void checkClaims(const std::vector<Options>& scenes) {
   std::list<WriteClaim> claims;
@@ -29,7 +44,12 @@ void checkFiles(const std::vector<Options>& scenes) {
     if (!isStandardInput(options.scene)) noteRead(options.scene, "the scene");
     if (!options.resume.empty()) noteRead(options.resume, "the film");
   }
-  if (scenes.size() > 1) return checkClaims(scenes);
+  if (scenes.size() > 1) {
+    for (const Options& options : scenes) {
+      if (!isStandardInput(options.scene)) noteMeshes(options.scene);
+    }
+    return checkClaims(scenes);
+  }
   checkOutputs(outputNames(scenes.front()));
 }
 

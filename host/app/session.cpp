@@ -49,8 +49,13 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   return settings;
 }
 
+// An interrupted picture is written to its end, and compressing that many pixels takes over a second.
+bool takesLongToWrite(const Rectangle& part) {
+  return std::int64_t{part.x1 - part.x0} * (part.y1 - part.y0) > 4'000'000;
+}
+
 // Before the first ray: later, all that was rendered would be lost.
-void checkMemory(const RenderSettings& settings) {
+void checkMemory(const RenderSettings& settings, bool canBeCropped) {
   const std::uint64_t needed = hostBytes(settings);
   const MemoryRoom room = memoryRoom();
   if (needed <= room.bytes) return;
@@ -59,8 +64,8 @@ void checkMemory(const RenderSettings& settings) {
   throw Error(ExitCode::kMemory,
               "there is not enough memory: a picture of " + std::to_string(part.x1 - part.x0) + " x " +
                   std::to_string(part.y1 - part.y0) + " pixels needs " + inGigabytes(needed) + ", and " +
-                  room.limit + ' ' + inGigabytes(room.bytes) +
-                  "; a smaller --width or --height needs less, or parts by --crop" +
+                  room.limit + ' ' + inGigabytes(room.bytes) + "; a smaller --width or --height needs less" +
+                  (canBeCropped ? ", or parts by --crop" : "") +
                   (isOneSample ? "" : ", or one sample per pixel"));
 }
 
@@ -106,7 +111,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 
   const Identity identity = keepsFilm(options_) ? describeIdentity(options_, inputs_, settings) : Identity{};
   Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
-  checkMemory(settings);
+  checkMemory(settings, !needsWhole(options_));
   if (!traceLayers(layers, settings, part, isOutdated)) return ExitCode::kSuccess;
   Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
   if (!options_.resume.empty()) {
@@ -132,14 +137,19 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 
   checkpoint.save(render);
   viewer_.showFinished(render);
+  const std::string interruption =
+      "interrupted at " + std::to_string(static_cast<int>(100.0 * render.shareDone())) + " %; ";
+  if (isInterrupted && takesLongToWrite(part))
+    std::cerr << "lavaray: " << interruption << "writing the picture, which takes a while\n";
+  writePicture(render, settings, identity, outputs);
+  // What fails from here on must not take the picture along.
   layers.write(render, settings, part, open.device.description().name);
-  writeOutputs(render, settings, identity, outputs);
   layers.commit();
+  writeStatistics(render.statistics(), settings, outputs);
+  const std::string name = options_.output == "-" ? "stdout" : options_.output;
   if (isInterrupted) {
-    const std::string name = options_.output == "-" ? "stdout" : options_.output;
-    const int percent = static_cast<int>(100.0 * render.shareDone());
-    throw Error(interruptCode(), "interrupted at " + std::to_string(percent) + " %; " + name +
-                                     " holds what was rendered, pixels without a sample are black");
+    throw Error(interruptCode(),
+                interruption + name + " holds what was rendered, pixels without a sample are black");
   }
   if (options_.verbose) std::cerr << "wrote " << options_.output << '\n';
   if (checkpoint.hasFailed()) {
@@ -167,9 +177,8 @@ bool Session::traceLayers(Layers& layers, const RenderSettings& settings, const 
   throw Error(interruptCode(), "interrupted before the picture was begun");
 }
 
-void Session::writeOutputs(Render& render, const RenderSettings& settings, const Identity& identity,
+void Session::writePicture(Render& render, const RenderSettings& settings, const Identity& identity,
                            Outputs& outputs) {
-  const vulkan::Device& device = device_.get().device;
   const RenderStatistics statistics = render.statistics();
   if (outputs.hasFilm()) {
     outputs.writeFilm(render, identity);
@@ -180,14 +189,22 @@ void Session::writeOutputs(Render& render, const RenderSettings& settings, const
   times_.endStep("write image");
   const std::optional<std::string> scale = describeScale(options_.view, statistics);
   if (scale && !options_.quiet) std::cerr << viewName(options_.view) << ": " << *scale << '\n';
+}
+
+void Session::writeStatistics(const RenderStatistics& statistics, const RenderSettings& settings,
+                              Outputs& outputs) {
+  const vulkan::Device& device = device_.get().device;
   if (options_.stats) {
     printStatistics(std::cerr, inputs_.scene(), inputs_.gpuScene(), device, statistics);
     times_.print(std::cerr);
   }
-  if (outputs.json() != nullptr) {
+  if (outputs.json() == nullptr) return;
+  try {
     writeJsonStatistics(outputs.json(), inputs_.scene(), settings.size, inputs_.gpuScene(), device,
                         statistics, times_);
     outputs.commitJson();
+  } catch (const Error& error) {
+    throw Error(error.exitCode(), options_.output + " is written, but " + error.what());
   }
 }
 

@@ -35,8 +35,9 @@ class Session {
   [[nodiscard]] bool isEnded() const;
 
  private:
-  void writeOutputs(Render& render, const RenderSettings& settings, const Identity& identity,
+  void writePicture(Render& render, const RenderSettings& settings, const Identity& identity,
                     Outputs& outputs);
+  void writeStatistics(const RenderStatistics& statistics, const RenderSettings& settings, Outputs& outputs);
   bool traceLayers(Layers& layers, const RenderSettings& settings, const Rectangle& part,
                    const IsOutdated& isOutdated);
   bool proceed(const Render& render);

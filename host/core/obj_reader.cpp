@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <deque>
 #include <exception>
 #include <mutex>
@@ -41,8 +42,10 @@ class PartsReader {
     try {
       std::vector<char> buffer;
       ObjPart part;
-      while (const auto block = blocks_.next(buffer)) {
+      while (const auto block = isNoText_ ? std::nullopt : blocks_.next(buffer)) {
         scanObjPart(block->text, block->number == 0, part);
+        // The blocks before are being read; what follows may have no end, as of a device.
+        if (part.lineOfNul) isNoText_ = true;
         // What is kept is a copy, since that has no spare memory.
         slot(block->number) = part;
         if (onlyOne) return;
@@ -60,6 +63,7 @@ class PartsReader {
   }
 
   TextBlocks blocks_;
+  std::atomic<bool> isNoText_{false};
   std::mutex mutex_;
   std::deque<ObjPart> parts_;  // whose elements stay where they are while it grows
   std::exception_ptr error_;

@@ -44,7 +44,10 @@ std::size_t TextBlocks::fill(std::vector<char>& buffer) {
     const std::size_t count = read_(std::span(buffer).subspan(length, wanted));
     sourceEnded_ = count < wanted;
     end = lastLineEnd({buffer.data(), length + count}, length);
+    // What has a NUL byte is no text, and its lines may have no end.
+    const bool isText = std::string_view(buffer.data() + length, count).find('\0') == std::string_view::npos;
     length += count;
+    if (end == 0 && !isText) end = length;
   }
   if (sourceEnded_) {
     if (length > 0 && buffer[length - 1] != '\n') buffer[length++] = '\n';

@@ -22,7 +22,7 @@ class TextBlocks {
 
   struct Block {
     std::size_t number;    // from 0
-    std::span<char> text;  // never empty, ends with LF
+    std::span<char> text;  // never empty, ends with LF or has a NUL byte
   };
 
   // The next block, read into `buffer`; nothing at the end. May be called by several threads. Once it has

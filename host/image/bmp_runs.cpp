@@ -40,8 +40,6 @@ class Runs {
   }
 
   void requireRoom(std::size_t count) {
-    if (indices_.size() - rowBegin_ == width_)
-      rowBegin_ += width_;  // rows may follow each other without a word
     if (indices_.size() - rowBegin_ + count > width_) {
       file_.fail("is a BMP image with a run of pixels that is longer than the rest of its row");
     }

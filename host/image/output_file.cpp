@@ -43,6 +43,12 @@ std::string whyIrreplaceable(const fs::path& file) {
   return std::strerror(errno);
 }
 
+// Why no file can have this name; empty where one can, or has.
+std::string whyImpossible(const fs::path& file) {
+  struct stat status {};
+  return lstat(file.c_str(), &status) == 0 || errno == ENOENT ? std::string() : std::strerror(errno);
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const OutputName& output)
@@ -53,6 +59,8 @@ OutputFile::OutputFile(const OutputName& output)
     if (!S_ISREG(target_.old->st_mode)) fail(name_, "it is there and is not an ordinary file");
     if (const std::string reason = whyIrreplaceable(target_.path); !reason.empty())
       fail(name_, "what is there cannot be replaced: " + reason);
+  } else if (const std::string reason = whyImpossible(target_.path); !reason.empty()) {
+    fail(name_, reason);
   }
   try {
     temporary_.emplace(target_.path);

@@ -136,7 +136,11 @@ bool TemporaryFile::replaceTarget() {
 }
 
 fs::path TemporaryFile::keep() {
-  const std::string visible = target_.stem().string() + "-" + randomLetters() + target_.extension().string();
+  const std::string letters = "-" + randomLetters();
+  std::string ending = target_.extension().string();
+  if (letters.size() + ending.size() >= NAME_MAX) ending.clear();
+  const std::string stem = target_.stem().string().substr(0, NAME_MAX - letters.size() - ending.size());
+  const std::string visible = stem + letters + ending;
   fs::path kept = folder_ / visible;
   if (std::rename(name_.c_str(), kept.c_str()) != 0) kept = name_;
   forgetName();
