@@ -185,10 +185,25 @@ def try_names():
     refused_at_once("another user's folder", folder / 'picture.png', 'Permission denied', *nobody)
 
 
+def try_long_names():
+    longest = 'x' * 251 + '.ppm'
+    for name, code in ((longest, 0), ('x' + longest, 5)):
+        found = run(lavaray, scene, '--width', '40', '-o', name)
+        check(found.returncode == code and (code == 0 or 'File name too long' in found.stderr), f'{len(name)}: {found}')
+    output = work / 'last' / longest
+    (work / 'last').mkdir()
+    finish_at_folder(output)
+    shutil.rmtree(work / 'last')
+
+
 def try_last_step():
     """A folder that comes into being where the picture is to be."""
     output = work / 'last' / 'picture.ppm'
     output.parent.mkdir()
+    finish_at_folder(output)
+
+
+def finish_at_folder(output):
     render = subprocess.Popen([lavaray, scene, '--spp', '100000', '-q', '-o', output], stderr=subprocess.PIPE, text=True)
     time.sleep(2.0)
     output.mkdir()
@@ -200,7 +215,7 @@ def try_last_step():
         return
     check(render.returncode == 5 and found, f'the last step: {render.returncode}, {said}')
     check(run(diff, '--info', found.group(1)).returncode == 0, 'what stays is a picture')
-    check(len(list(output.parent.iterdir())) == 2, 'and nothing else')
+    check(found.group(1).endswith('.ppm') and len(list(output.parent.iterdir())) == 2, 'and nothing else')
 
 
 def try_sizes():
@@ -238,6 +253,7 @@ def main():
     try_stdout()
     try_limit()
     try_names()
+    try_long_names()
     try_last_step()
     try_sizes()
     try_full_disks()

@@ -163,7 +163,7 @@ fails 5 env -u DISPLAY "$lavaray" "$scene" --width 16 --display
 
 # Too little memory, wherever it runs out. A sanitizer needs more than any limit leaves.
 if bash -c "ulimit -v 1000000; '$lavaray' --version" >stdout 2>&1; then
-  fails '4|6' bash -c "ulimit -v 600000; '$lavaray' '$scene' --width 60000"
+  fails '4|6' bash -c "ulimit -v 600000; '$lavaray' '$scene' --width 60000 --spp 2 -o huge.ppm"
   fails '3|6' bash -c "ulimit -v 100000; '$diff' huge.ppm huge.ppm"
   # From a limit at which the program can hardly start to one at which it misses nothing but a driver: in between it is
   # the shaders' compiler that ends.
