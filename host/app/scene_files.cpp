@@ -1,7 +1,6 @@
 #include "app/scene_files.hpp"
 
-#include <list>
-#include <system_error>
+#include <utility>
 
 #include "app/standard_input.hpp"
 #include "core/errors.hpp"
@@ -24,33 +23,19 @@ void noteMeshes(const std::filesystem::path& scene) {
   }
 }
 
-void checkClaims(const std::vector<Options>& scenes) {
-  std::list<WriteClaim> claims;
-  for (const Options& options : scenes) {
-    for (const OutputName& output : outputNames(options)) {
-      try {
-        claims.emplace_back(WriteTarget(output.file), output.file, output.option, output.mayReplace);
-      } catch (const std::system_error&) {
-        // Links without an end; writing will fail.
-      }
-    }
-  }
-}
-
 }  // namespace
 
 void checkFiles(const std::vector<Options>& scenes) {
+  std::vector<OutputName> outputs;
   for (const Options& options : scenes) {
-    if (!isStandardInput(options.scene)) noteRead(options.scene, "the scene");
-    if (!options.resume.empty()) noteRead(options.resume, "the film");
-  }
-  if (scenes.size() > 1) {
-    for (const Options& options : scenes) {
-      if (!isStandardInput(options.scene)) noteMeshes(options.scene);
+    if (!isStandardInput(options.scene)) {
+      noteRead(options.scene, "the scene");
+      if (scenes.size() > 1) noteMeshes(options.scene);
     }
-    return checkClaims(scenes);
+    if (!options.resume.empty()) noteRead(options.resume, "the film");
+    for (OutputName& output : outputNames(options)) outputs.push_back(std::move(output));
   }
-  checkOutputs(outputNames(scenes.front()));
+  checkOutputs(outputs);
 }
 
 }  // namespace lavaray

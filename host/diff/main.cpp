@@ -172,6 +172,8 @@ ExitCode diff(const DiffOptions& options) {
     std::cout << "reference    " << reference.width << " x " << reference.height << "\n";
     return ExitCode::kImagesDiffer;
   }
+  std::optional<OutputFile> picture;  // before the work
+  if (!options.output.empty()) picture.emplace(output);
   compareAsWritten(image, reference);
   // Two quotients, each rounded to a float, are off by 2^-24 at most: so a difference of T levels is within
   // T.
@@ -181,10 +183,9 @@ ExitCode diff(const DiffOptions& options) {
   printDifference(difference, flip);
   printAlpha(image, reference, difference.alpha);
   printNotFinite(difference);
-  if (!options.output.empty()) {
-    OutputFile file(output);
-    writeImage(differencePicture(image, reference), imageFormat(options.output).value(), file.stream());
-    file.commit();
+  if (picture) {
+    writeImage(differencePicture(image, reference), imageFormat(options.output).value(), picture->stream());
+    picture->commit();
   }
   return withinLimits(options, difference, flip) ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
 }

@@ -91,8 +91,14 @@ void OutputFile::commit() {
 }
 
 void checkOutputs(std::span<const OutputName> outputs) {
-  std::list<OutputFile> all;
-  for (const OutputName& output : outputs) all.emplace_back(output);
+  std::list<WriteClaim> claims;
+  for (const OutputName& output : outputs) {
+    try {
+      claims.emplace_back(WriteTarget(output.file), output.file, output.option, output.mayReplace);
+    } catch (const std::system_error&) {
+      // Links without an end; writing will fail.
+    }
+  }
 }
 
 }  // namespace lavaray

@@ -45,7 +45,8 @@ class OutputFile {
   std::optional<CheckedStream> stream_;
 };
 
-// Throws what the constructor of one of these OutputFiles would throw.
+// Before anything is read: throws Error(kUsage) where one of the files is one that is read, or two are the
+// same. Whether they can be written is for OutputFile to find out.
 void checkOutputs(std::span<const OutputName> outputs);
 
 }  // namespace lavaray
