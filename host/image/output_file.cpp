@@ -55,9 +55,6 @@ OutputFile::OutputFile(const OutputName& output)
     : name_(output.file),
       target_(findTarget(output.file)),
       claim_(target_, output.file, output.option, output.mayReplace) {
-  struct stat status {};
-  if (!target_.old && stat(target_.path.c_str(), &status) != 0 && errno != ENOENT)
-    fail(name_, std::strerror(errno));  // a name that is too long, say, as the temporary one need not be
   if (target_.old) {
     if (!S_ISREG(target_.old->st_mode)) fail(name_, "it is there and is not an ordinary file");
     if (const std::string reason = whyIrreplaceable(target_.path); !reason.empty())
