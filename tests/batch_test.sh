@@ -1,37 +1,10 @@
 #!/usr/bin/env bash
 # batch_test.sh PROGRAMS SCENES SCRATCH: several scenes in one process, and the scene from standard input.
 set -u
+source "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 programs=$1 scenes=$2 scratch=$3
 lavaray=$programs/lavaray
 rm -rf "$scratch" && mkdir -p "$scratch/other" && cd "$scratch" || exit 1
-failures=0
-checks=0
-
-# expect CODE TEXT COMMAND...: the command exits with CODE and prints TEXT, an extended regular expression, to stderr; an
-# empty TEXT matches anything.
-expect() {
-  local code=$1 text=$2
-  shift 2
-  "$@" >stdout 2>stderr
-  local actual=$?
-  checks=$((checks + 1))
-  if [ "$actual" != "$code" ] || { [ -n "$text" ] && ! grep -qE -- "$text" stderr; }; then
-    failures=$((failures + 1))
-    echo "FAILED: $*: exit code $actual, expected $code; stderr, expected /$text/:"
-    cat stderr
-  fi
-}
-
-# holds TEXT COMMAND...: the command succeeds.
-holds() {
-  local what=$1
-  shift
-  checks=$((checks + 1))
-  if ! "$@" >/dev/null 2>&1; then
-    failures=$((failures + 1))
-    echo "FAILED: $what"
-  fi
-}
 
 # Each picture of many scenes has the bits of its own run, whatever pipelines were there before: of few and many
 # primitives, with and without mirrors, each of them twice.

@@ -3,38 +3,11 @@
 # folder of the scenes and a scratch folder, which it makes anew. What depends on the driver is tried on a second one,
 # too, where LAVARAY_TEST_DRIVER_RUN names the script `run` that tools/unpack-debian makes of one.
 set -u
+source "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 programs=$1 scenes=$2 scratch=$3
 lavaray=$programs/lavaray
 diff=$programs/lavaray-diff
 rm -rf "$scratch" && mkdir -p "$scratch" && cd "$scratch" || exit 1
-failures=0
-checks=0
-
-# expect CODES TEXT COMMAND...: the command exits with one of CODES, separated by |, and prints TEXT, an extended
-# regular expression, to stderr; an empty TEXT matches anything.
-expect() {
-  local codes=$1 text=$2
-  shift 2
-  "$@" >stdout 2>stderr
-  local actual=$?
-  checks=$((checks + 1))
-  if ! [[ "$actual" =~ ^($codes)$ ]] || { [ -n "$text" ] && ! grep -qE -- "$text" stderr; }; then
-    failures=$((failures + 1))
-    echo "FAILED: $*: exit code $actual, expected $codes; stderr, expected /$text/:"
-    cat stderr
-  fi
-}
-
-# holds TEXT COMMAND...: the command succeeds.
-holds() {
-  local what=$1
-  shift
-  checks=$((checks + 1))
-  if ! "$@" >/dev/null 2>&1; then
-    failures=$((failures + 1))
-    echo "FAILED: $what"
-  fi
-}
 
 scene=$scenes/spheres.txt
 small="--width 64"

@@ -2,28 +2,13 @@
 # film_test.sh PROGRAMS SCENES WORK: checkpoints, resuming and merging, as a user does them. Whatever the cuts, the
 # picture has the bits of one that was rendered at once.
 set -u
+source "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 lavaray=$1/lavaray
 merge=$1/lavaray-merge
 scenes=$2
 rm -rf "$3"
 mkdir -p "$3"
 cd "$3" || exit 1
-checks=0
-failures=0
-
-# expect CODE PATTERN COMMAND...: the exit code, and an extended regular expression that stderr has.
-expect() {
-  local wanted=$1 pattern=$2
-  shift 2
-  "$@" >stdout 2>stderr
-  local code=$?
-  checks=$((checks + 1))
-  if [ $code -ne "$wanted" ] || { [ -n "$pattern" ] && ! grep -qE -- "$pattern" stderr; }; then
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n  exit code %s, expected %s with "%s"; stderr:\n' "$*" $code "$wanted" "$pattern"
-    sed 's/^/  /' stderr
-  fi
-}
 
 # same WHAT FILE FILE
 same() {
