@@ -2,7 +2,7 @@
 //
 // The sign of a difference of products decides hit or miss here. Rounding alone never turns such a sign, it can only
 // make it zero, and zero counts as inside; contracting or reordering does turn it, and is forbidden to compilers in all
-// of the shaders' arithmetic (host/shaderc/exact_spirv.hpp).
+// of the shaders' arithmetic (host/shader_compiler/exact_spirv.hpp).
 // A ray is o + t d, where d may have any length; a hit has 0 < t < infinity. The tests are written so that a
 // NaN fails them.
 #ifndef INTERSECT_GLSL

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/bvh.hpp"
+#include "bvh/bvh.hpp"
 #include "interface.h"
 
 namespace lavaray {

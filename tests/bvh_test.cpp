@@ -1,4 +1,4 @@
-#include "core/bvh.hpp"
+#include "bvh/bvh.hpp"
 
 #include <gtest/gtest.h>
 

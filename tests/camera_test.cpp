@@ -1,8 +1,8 @@
-#include "core/camera.hpp"
+#include "scene/camera.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/limits.hpp"
+#include "base/limits.hpp"
 
 namespace lavaray {
 namespace {

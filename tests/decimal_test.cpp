@@ -1,4 +1,4 @@
-#include "core/decimal.hpp"
+#include "base/decimal.hpp"
 
 #include <bit>
 #include <charconv>

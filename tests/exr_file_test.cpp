@@ -26,7 +26,7 @@
 #include <ImfTileDescription.h>
 #include <ImfTiledOutputFile.h>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "image/image_file.hpp"
 #include "image/row_writer.hpp"
 #include "input_files.hpp"

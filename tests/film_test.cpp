@@ -5,7 +5,7 @@
 #include <random>
 #include <sstream>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "film/film_file.hpp"
 #include "film/merge.hpp"
 #include "image/image_file.hpp"

@@ -1,5 +1,5 @@
-#include "core/flatten.hpp"
-#include "core/frame.hpp"
+#include "bvh/flatten.hpp"
+#include "bvh/frame.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "image/image_file.hpp"
 
 namespace {

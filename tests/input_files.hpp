@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 
 namespace lavaray {
 

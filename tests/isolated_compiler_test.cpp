@@ -1,4 +1,4 @@
-#include "shaderc/isolated_compiler.hpp"
+#include "shader_compiler/isolated_compiler.hpp"
 
 #include <gtest/gtest.h>
 

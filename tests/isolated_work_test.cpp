@@ -1,4 +1,4 @@
-#include "shaderc/isolated_work.hpp"
+#include "shader_compiler/isolated_work.hpp"
 
 #include <dlfcn.h>
 #include <sys/resource.h>

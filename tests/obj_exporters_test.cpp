@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/obj_reader.hpp"
 #include "input_files.hpp"
+#include "scene/obj_reader.hpp"
 
 namespace lavaray {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <tiny_obj_loader.h>
 
-#include "core/text_file.hpp"
-#include "core/triangulate.hpp"
+#include "base/text_file.hpp"
+#include "scene/triangulate.hpp"
 
 namespace lavaray {
 namespace {

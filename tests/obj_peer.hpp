@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray {
 

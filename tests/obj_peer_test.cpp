@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/obj_reader.hpp"
-#include "core/text_file.hpp"
+#include "base/text_file.hpp"
 #include "random_numbers.hpp"
+#include "scene/obj_reader.hpp"
 
 namespace lavaray {
 namespace {

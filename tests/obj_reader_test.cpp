@@ -1,4 +1,4 @@
-#include "core/obj_reader.hpp"
+#include "scene/obj_reader.hpp"
 
 #include <array>
 #include <locale>

@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "film/pixel_sum.hpp"
-#include "render/pixel_filter.hpp"
+#include "sampling/pixel_filter.hpp"
+#include "sampling/pixel_sum.hpp"
 
 namespace lavaray {
 namespace {

@@ -6,11 +6,11 @@
 #include <iostream>
 #include <random>
 
-#include "film/pixel_sum.hpp"
-#include "render/adaptive.hpp"
-#include "render/convergence.hpp"
-#include "render/error_estimate.hpp"
-#include "render/sample_plan.hpp"
+#include "sampling/adaptive.hpp"
+#include "sampling/convergence.hpp"
+#include "sampling/error_estimate.hpp"
+#include "sampling/pixel_sum.hpp"
+#include "sampling/sample_plan.hpp"
 
 namespace lavaray {
 namespace {

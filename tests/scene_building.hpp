@@ -4,8 +4,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/scene.hpp"
 #include "random_numbers.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace lavaray {
 

@@ -1,4 +1,4 @@
-#include "core/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 #include <locale>
 #include <ostream>

@@ -1,4 +1,4 @@
-#include "shaderc/shader_compiler.hpp"
+#include "shader_compiler/shader_compiler.hpp"
 
 #include <malloc.h>
 #include <sys/stat.h>

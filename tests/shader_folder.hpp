@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "input_files.hpp"
-#include "shaderc/shader_compiler.hpp"
+#include "shader_compiler/shader_compiler.hpp"
 
 namespace lavaray {
 

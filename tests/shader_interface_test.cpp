@@ -6,8 +6,8 @@
 #include <spirv-tools/libspirv.hpp>
 
 #include "interface.h"
+#include "shader_compiler/shader_interface.hpp"
 #include "shader_folder.hpp"
-#include "shaderc/shader_interface.hpp"
 
 namespace lavaray {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/text_blocks.hpp"
+#include "base/text_blocks.hpp"
 
 #include <mutex>
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace lavaray {
 namespace {

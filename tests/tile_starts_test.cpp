@@ -10,9 +10,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/wide_bvh.hpp"
+#include "bvh/wide_bvh.hpp"
 #include "random_numbers.hpp"
-#include "render/pixel_filter.hpp"
+#include "sampling/pixel_filter.hpp"
 
 namespace lavaray {
 namespace {

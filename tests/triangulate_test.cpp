@@ -1,4 +1,4 @@
-#include "core/triangulate.hpp"
+#include "scene/triangulate.hpp"
 
 #include <algorithm>
 #include <chrono>

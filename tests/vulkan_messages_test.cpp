@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "vulkan/loader.hpp"
 
 namespace lavaray::vulkan {

@@ -1,6 +1,6 @@
 // The tree as traversed against the tree as built, in exact arithmetic: sides are float32 numbers, so
 // comparing them rounds nothing.
-#include "core/wide_bvh.hpp"
+#include "bvh/wide_bvh.hpp"
 
 #include <gtest/gtest.h>
 

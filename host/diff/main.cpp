@@ -7,16 +7,16 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/program.hpp"
-#include "app/usage.hpp"
-#include "app/version.hpp"
-#include "core/errors.hpp"
-#include "core/file_claims.hpp"
-#include "core/parallel.hpp"
-#include "core/place.hpp"
+#include "base/errors.hpp"
+#include "base/file_claims.hpp"
+#include "base/output_file.hpp"
+#include "base/parallel.hpp"
+#include "base/text_location.hpp"
+#include "command_line/program.hpp"
+#include "command_line/usage.hpp"
+#include "command_line/version.hpp"
 #include "image/difference.hpp"
 #include "image/image_file.hpp"
-#include "image/output_file.hpp"
 #include "image/perceived_difference.hpp"
 
 namespace lavaray {

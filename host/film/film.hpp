@@ -5,21 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/camera.hpp"
-#include "film/pixel_sum.hpp"
-#include "image/image.hpp"
+#include "base/rectangle.hpp"
+#include "sampling/pixel_sum.hpp"
+#include "sampling/sample_range.hpp"
 
 namespace lavaray {
 
 // A film is what a render has gathered so far of a picture or a part of it: enough to go on as if it had
 // never stopped, and to merge parts into the very picture that one render of the whole makes.
-
-// Samples first <= i < end of each pixel's sequence.
-struct SampleRange {
-  std::uint32_t first;
-  std::uint32_t end;
-  bool operator==(const SampleRange&) const = default;
-};
 
 // Names and values of all that decides a picture's pixels, but for which of them a film has: the scene, the
 // meshes, the options, the shader. Films with equal identities are parts of one picture.
@@ -33,14 +26,6 @@ enum class FilmKind {
   kCenters,  // glm::vec3: the value of the one sample in the pixel's centre
   kFixed,    // PixelSum
   kTarget,   // HalfSums, of a render to a target error
-};
-
-// The sums of the first and the second half of a pixel's samples, which are a power of two; two samples are
-// both in the first.
-struct HalfSums {
-  PixelSum halves[2];
-  // Sum over the samples of the mean over the channels of the squared colour, in fixed point as the others.
-  std::int64_t squares = 0;
 };
 
 std::size_t bytesPerPixel(FilmKind kind);

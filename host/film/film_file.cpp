@@ -11,9 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/errors.hpp"
-#include "core/file_claims.hpp"
-#include "core/text_file.hpp"
+#include "base/errors.hpp"
+#include "base/file_claims.hpp"
+#include "base/text_file.hpp"
 #include "interface.h"
 
 namespace lavaray {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstring>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 
 namespace lavaray {
 namespace {

@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 
 namespace lavaray {
 

@@ -19,8 +19,8 @@
 #include <ImfContextInit.h>
 #endif
 
-#include "core/errors.hpp"
-#include "core/limits.hpp"
+#include "base/errors.hpp"
+#include "base/limits.hpp"
 #include "image/exr_common.hpp"
 #include "image/exr_file.hpp"
 #include "image/image_bytes.hpp"

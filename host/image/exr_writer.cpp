@@ -15,7 +15,7 @@
 #include <ImfStringAttribute.h>
 #include <half.h>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "image/exr_common.hpp"
 #include "image/exr_file.hpp"
 #include "image/image_file.hpp"

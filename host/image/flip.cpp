@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "image/flip_filters.hpp"
 #include "image/perceptual_color.hpp"
 

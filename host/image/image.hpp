@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/rectangle.hpp"
+
 namespace lavaray {
 
 // Keyword and text, such as a PNG file carries. A keyword has 1 to 79 characters of ASCII.
@@ -34,14 +36,6 @@ struct Image {
 // Stretches the values so that the largest is 1; a black image stays black. Returns what the largest was, or
 // 0.
 float normalize(Image& image);
-
-struct Rectangle {
-  int x0 = 0;  // pixels x0 <= x < x1, y0 <= y < y1, y from the top
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-  bool operator==(const Rectangle&) const = default;
-};
 
 // The part of the image inside the rectangle, which lies within it.
 Image crop(const Image& image, const Rectangle& part);

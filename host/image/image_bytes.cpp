@@ -1,7 +1,7 @@
 #include "image/image_bytes.hpp"
 
-#include "core/errors.hpp"
-#include "core/printable.hpp"
+#include "base/errors.hpp"
+#include "base/printable.hpp"
 
 namespace lavaray {
 namespace {

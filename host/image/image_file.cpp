@@ -8,7 +8,7 @@
 #define cimg_verbosity 0
 #include <CImg.h>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "image/row_writer.hpp"
 
 namespace lavaray {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/file_claims.hpp"
+#include "base/file_claims.hpp"
 #include "image/bmp_file.hpp"
 #include "image/exr_file.hpp"
 #include "image/image_bytes.hpp"

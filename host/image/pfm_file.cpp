@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "core/place.hpp"
+#include "base/text_location.hpp"
 #include "image/pnm_file.hpp"
 #include "image/pnm_words.hpp"
 

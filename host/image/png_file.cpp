@@ -14,8 +14,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/errors.hpp"
-#include "core/numbers.hpp"
+#include "base/errors.hpp"
+#include "base/numbers.hpp"
 #include "image/image_file.hpp"
 
 namespace lavaray {

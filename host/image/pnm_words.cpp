@@ -4,7 +4,7 @@
 #include <charconv>
 #include <system_error>
 
-#include "core/place.hpp"
+#include "base/text_location.hpp"
 
 namespace lavaray {
 namespace {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 
 namespace lavaray {
 namespace {

@@ -7,14 +7,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/program.hpp"
-#include "app/progress.hpp"
-#include "app/usage.hpp"
-#include "app/version.hpp"
-#include "core/file_claims.hpp"
-#include "core/limits.hpp"
+#include "base/file_claims.hpp"
+#include "base/limits.hpp"
+#include "base/output_file.hpp"
+#include "command_line/program.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/usage.hpp"
+#include "command_line/version.hpp"
 #include "film/merge.hpp"
-#include "image/output_file.hpp"
 #include "image/row_writer.hpp"
 
 namespace lavaray {

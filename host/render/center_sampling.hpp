@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/huge_pages.hpp"
+#include "base/huge_pages.hpp"
 #include "render/sampling.hpp"
 #include "render/view.hpp"
 

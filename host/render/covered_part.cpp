@@ -4,9 +4,9 @@
 
 #include <glm/common.hpp>
 
-#include "core/wide_bvh.hpp"
-#include "render/pixel_filter.hpp"
+#include "bvh/wide_bvh.hpp"
 #include "render/projection.hpp"
+#include "sampling/pixel_filter.hpp"
 
 namespace lavaray {
 namespace {

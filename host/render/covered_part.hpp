@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "render/settings.hpp"
 
 namespace lavaray {

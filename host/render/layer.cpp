@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/errors.hpp"
-#include "core/place.hpp"
+#include "base/errors.hpp"
+#include "base/text_location.hpp"
 #include "render/tracer.hpp"
 
 namespace lavaray {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.hpp"
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "render/settings.hpp"
+#include "scene/camera.hpp"
 #include "vulkan/device.hpp"
 
 namespace lavaray {

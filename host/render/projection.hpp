@@ -2,9 +2,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "core/box.hpp"
-#include "core/camera.hpp"
+#include "bvh/box.hpp"
 #include "image/image.hpp"
+#include "scene/camera.hpp"
 
 namespace lavaray {
 

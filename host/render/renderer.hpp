@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "film/film_file.hpp"
 #include "image/image.hpp"
 #include "render/picture_rows.hpp"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "vulkan/buffer.hpp"
 
 namespace lavaray {

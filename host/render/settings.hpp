@@ -4,11 +4,11 @@
 #include <optional>
 #include <span>
 
-#include "core/camera.hpp"
 #include "film/film.hpp"
 #include "image/image.hpp"
-#include "render/pixel_filter.hpp"
 #include "render/view.hpp"
+#include "sampling/pixel_filter.hpp"
+#include "scene/camera.hpp"
 
 namespace lavaray {
 

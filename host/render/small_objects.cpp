@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/primitives.hpp"
+#include "bvh/primitives.hpp"
 #include "render/projection.hpp"
 
 namespace lavaray {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "render/adaptive.hpp"
 #include "render/sampling.hpp"
+#include "sampling/adaptive.hpp"
 
 namespace lavaray {
 

@@ -6,9 +6,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "core/wide_bvh.hpp"
-#include "render/pixel_filter.hpp"
+#include "bvh/wide_bvh.hpp"
 #include "render/projection.hpp"
+#include "sampling/pixel_filter.hpp"
 
 namespace lavaray {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "render/settings.hpp"
 
 namespace lavaray {

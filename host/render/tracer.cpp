@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "render/scene_buffers.hpp"
 #include "render/tile_starts.hpp"
 #include "renderFewPrimitivesSpirv.spv.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "render/settings.hpp"
 #include "render/tile_starts.hpp"
 #include "vulkan/compute.hpp"

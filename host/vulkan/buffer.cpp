@@ -4,8 +4,8 @@
 #include <cstring>
 #include <optional>
 
-#include "core/errors.hpp"
-#include "core/huge_pages.hpp"
+#include "base/errors.hpp"
+#include "base/huge_pages.hpp"
 
 namespace lavaray::vulkan {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 
 namespace lavaray::vulkan {
 namespace {

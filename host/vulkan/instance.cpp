@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "vulkan/driver_survey.hpp"
 #include "vulkan/loader_environment.hpp"
 #include "vulkan/no_device.hpp"

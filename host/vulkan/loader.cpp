@@ -4,7 +4,7 @@
 
 #include <mutex>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 
 namespace lavaray::vulkan {
 

@@ -10,12 +10,12 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "core/camera.hpp"
-#include "core/flatten.hpp"
-#include "core/limits.hpp"
-#include "core/primitives.hpp"
-#include "core/triangulate.hpp"
-#include "core/wide_bvh.hpp"
+#include "base/limits.hpp"
+#include "bvh/flatten.hpp"
+#include "bvh/primitives.hpp"
+#include "bvh/wide_bvh.hpp"
+#include "scene/camera.hpp"
+#include "scene/triangulate.hpp"
 
 namespace lavaray::fuzz {
 namespace {

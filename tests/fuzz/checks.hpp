@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "core/errors.hpp"
-#include "core/scene.hpp"
+#include "base/errors.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray::fuzz {
 

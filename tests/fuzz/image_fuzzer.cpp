@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "fuzz/checks.hpp"
 #include "image/image_file.hpp"
 

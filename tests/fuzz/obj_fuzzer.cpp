@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "core/obj_reader.hpp"
 #include "fuzz/checks.hpp"
 #include "obj_peer.hpp"
+#include "scene/obj_reader.hpp"
 
 namespace {
 

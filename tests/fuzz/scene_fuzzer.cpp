@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/scene_reader.hpp"
 #include "fuzz/checks.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace lavaray {
 namespace {

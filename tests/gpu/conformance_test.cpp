@@ -7,11 +7,11 @@
 #include <fstream>
 #include <iostream>
 
-#include "core/scene_reader.hpp"
 #include "gpu/render_scene.hpp"
 #include "image/image_file.hpp"
 #include "image_compare.hpp"
 #include "oracle/oracle.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace lavaray {
 namespace {

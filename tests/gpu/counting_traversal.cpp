@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/wide_bvh.hpp"
+#include "bvh/wide_bvh.hpp"
 
 namespace lavaray {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 
 namespace lavaray {
 

@@ -9,14 +9,14 @@
 #include <random>
 #include <vector>
 
-#include "core/flatten.hpp"
-#include "film/pixel_sum.hpp"
+#include "bvh/flatten.hpp"
 #include "gpu/render_scene.hpp"
 #include "gpu/sampled_image.hpp"
 #include "gpu/test_device.hpp"
-#include "render/adaptive.hpp"
 #include "render/small_objects.hpp"
 #include "render/tracer.hpp"
+#include "sampling/adaptive.hpp"
+#include "sampling/pixel_sum.hpp"
 
 namespace lavaray {
 namespace {

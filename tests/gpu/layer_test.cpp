@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/frame.hpp"
+#include "bvh/frame.hpp"
 #include "gpu/render_scene.hpp"
 #include "gpu/sampled_image.hpp"
 #include "gpu/test_device.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "core/errors.hpp"
+#include "base/errors.hpp"
 #include "gpu/test_device.hpp"
 #include "layoutProbeSpirv.spv.h"
 #include "render/scene_buffers.hpp"

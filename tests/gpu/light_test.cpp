@@ -13,7 +13,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "gpu/test_device.hpp"
 #include "lightProbeSpirv.spv.h"
 #include "render/scene_buffers.hpp"

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "core/scene.hpp"
 #include "render/settings.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray {
 

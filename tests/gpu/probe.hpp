@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 
 namespace lavaray {
 

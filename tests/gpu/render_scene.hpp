@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "core/camera.hpp"
-#include "core/scene.hpp"
 #include "image/image.hpp"
 #include "render/renderer.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray {
 

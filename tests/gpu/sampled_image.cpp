@@ -4,7 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace lavaray {
 

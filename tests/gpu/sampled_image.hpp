@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/scene.hpp"
 #include "image/image.hpp"
 #include "render/settings.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray {
 

@@ -7,9 +7,9 @@
 #include <iostream>
 #include <vector>
 
-#include "core/scene_reader.hpp"
 #include "gpu/render_scene.hpp"
 #include "image_compare.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace lavaray {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene.hpp"
 #include "oracle/shapes.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray::oracle {
 

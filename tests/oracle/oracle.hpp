@@ -6,8 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/camera.hpp"
-#include "core/scene.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray::oracle {
 

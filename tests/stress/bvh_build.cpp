@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bvh/bvh.hpp"
+#include "bvh/primitives.hpp"
 #include "bvh_soundness.hpp"
-#include "core/bvh.hpp"
-#include "core/primitives.hpp"
-#include "core/scene_reader.hpp"
 #include "interface.h"
+#include "scene/scene_reader.hpp"
 #include "scene_building.hpp"
 #include "stress/report.hpp"
 

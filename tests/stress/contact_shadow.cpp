@@ -7,9 +7,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/camera.hpp"
 #include "gpu/render_scene.hpp"
 #include "oracle/oracle.hpp"
+#include "scene/camera.hpp"
 #include "stress/frame.hpp"
 #include "stress/report.hpp"
 

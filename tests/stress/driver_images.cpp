@@ -1,7 +1,7 @@
 // The images of another driver than lavapipe against lavapipe's own. Sums, differences and products are the
-// same on each (host/shaderc/exact_spirv.hpp); quotients, roots, powers, sines and cosines have Vulkan's
-// tolerances. So where these decide what a ray hits, a pixel may show what is on the other side of an edge,
-// and elsewhere be off by less than a level of a channel.
+// same on each (host/shader_compiler/exact_spirv.hpp); quotients, roots, powers, sines and cosines have
+// Vulkan's tolerances. So where these decide what a ray hits, a pixel may show what is on the other side of
+// an edge, and elsewhere be off by less than a level of a channel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/scene_reader.hpp"
 #include "gpu/render_scene.hpp"
 #include "gpu/test_device.hpp"
 #include "image/image_file.hpp"
 #include "image_compare.hpp"
 #include "oracle/oracle.hpp"
+#include "scene/scene_reader.hpp"
 #include "scene_files.hpp"
 #include "stress/report.hpp"
 

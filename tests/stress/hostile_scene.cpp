@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/numbers.hpp"
+#include "base/numbers.hpp"
 
 namespace lavaray {
 namespace {

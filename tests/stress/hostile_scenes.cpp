@@ -8,13 +8,13 @@
 #include <cmath>
 #include <optional>
 
-#include "core/camera.hpp"
-#include "core/errors.hpp"
-#include "core/scene_reader.hpp"
+#include "base/errors.hpp"
 #include "gpu/probe.hpp"
 #include "gpu/render_scene.hpp"
 #include "input_files.hpp"
 #include "pathProbeSpirv.spv.h"
+#include "scene/camera.hpp"
+#include "scene/scene_reader.hpp"
 #include "stress/hostile_scene.hpp"
 #include "stress/report.hpp"
 #include "stress/shaders/stress_probes.h"

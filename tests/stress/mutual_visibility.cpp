@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "gpu/probe.hpp"
 #include "scene_building.hpp"
 #include "stress/report.hpp"

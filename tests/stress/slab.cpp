@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "random_numbers.hpp"
 #include "stress/quad.hpp"
 #include "stress/report.hpp"

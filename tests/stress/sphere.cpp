@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "random_numbers.hpp"
 #include "stress/quad.hpp"
 #include "stress/report.hpp"

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 #include "stress/report.hpp"
 #include "stress/surface_probe.hpp"
 

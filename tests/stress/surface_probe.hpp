@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/flatten.hpp"
-#include "core/scene.hpp"
+#include "bvh/flatten.hpp"
+#include "scene/scene.hpp"
 #include "scene_building.hpp"
 #include "stress/shaders/stress_probes.h"
 

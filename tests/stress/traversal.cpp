@@ -6,9 +6,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/flatten.hpp"
-#include "core/scene_reader.hpp"
+#include "bvh/flatten.hpp"
 #include "gpu/trace_rays.hpp"
+#include "scene/scene_reader.hpp"
 #include "scene_building.hpp"
 #include "stress/report.hpp"
 

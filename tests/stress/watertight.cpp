@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "gpu/trace_rays.hpp"
 #include "scene_building.hpp"
 #include "stress/report.hpp"

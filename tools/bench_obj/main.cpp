@@ -12,8 +12,8 @@
 
 #include <tiny_obj_loader.h>
 
-#include "core/obj_reader.hpp"
 #include "forms.hpp"
+#include "scene/obj_reader.hpp"
 
 namespace {
 

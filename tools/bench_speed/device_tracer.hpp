@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "batch.h"
-#include "core/flatten.hpp"
+#include "bvh/flatten.hpp"
 #include "vulkan/compute.hpp"
 
 namespace lavaray::bench {

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "core/errors.hpp"
-#include "core/parallel.hpp"
+#include "base/errors.hpp"
+#include "base/parallel.hpp"
 #include "embree.hpp"
 #include "embree_picture.hpp"
 #include "peer.hpp"

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace lavaray::bench {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "core/camera.hpp"
-#include "core/scene.hpp"
 #include "embree.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray::bench {
 

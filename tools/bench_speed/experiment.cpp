@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include "core/flatten.hpp"
-#include "core/primitives.hpp"
+#include "bvh/flatten.hpp"
+#include "bvh/primitives.hpp"
 #include "device_tracer.hpp"
 #include "peer.hpp"
 #include "render/tracer.hpp"

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "app/program.hpp"
-#include "core/errors.hpp"
+#include "base/errors.hpp"
+#include "command_line/program.hpp"
 #include "experiment.hpp"
 #include "options.hpp"
 #include "peer.hpp"

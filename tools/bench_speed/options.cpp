@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.hpp"
-#include "core/parallel.hpp"
+#include "base/errors.hpp"
+#include "base/parallel.hpp"
 #include "scenes.hpp"
 
 namespace lavaray::bench {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.hpp"
+#include "scene/camera.hpp"
 
 namespace lavaray::bench {
 

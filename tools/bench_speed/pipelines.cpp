@@ -10,13 +10,13 @@
 #include <span>
 #include <string>
 
-#include "app/program.hpp"
-#include "core/camera.hpp"
-#include "core/errors.hpp"
-#include "core/flatten.hpp"
-#include "core/scene_reader.hpp"
+#include "base/errors.hpp"
+#include "bvh/flatten.hpp"
+#include "command_line/program.hpp"
 #include "measure.hpp"
 #include "render/tracer.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene_reader.hpp"
 #include "vulkan/device.hpp"
 
 namespace lavaray::bench {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray::bench {
 

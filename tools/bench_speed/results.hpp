@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.hpp"
 #include "measure.hpp"
+#include "scene/camera.hpp"
 
 namespace lavaray::bench {
 

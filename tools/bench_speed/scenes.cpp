@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/obj_reader.hpp"
 #include "procedural.hpp"
+#include "scene/obj_reader.hpp"
 
 namespace lavaray::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.hpp"
-#include "core/scene.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
 
 namespace lavaray::bench {
 

@@ -1,5 +1,5 @@
 # Bash completion of lavaray, lavaray-diff and lavaray-merge. It has no list of the options: these, and what goes with
-# them, it takes from what the program's --help-table prints (host/app/help.hpp has the form).
+# them, it takes from what the program's --help-table prints (host/command_line/help.hpp has the form).
 
 # _lavaray_endings NAMES TEXT: the endings of the files that an option or argument takes: those that its text has, or
 # else what such files are usually called.

@@ -1,6 +1,6 @@
 # awk -v program=PATH -v date=DATE -v page=PATH -f man_page.awk TEMPLATE
 # Writes a manual page: the template, and in place of these lines of it what the program's --help-table and --version
-# say (host/app/help.hpp has the form).
+# say (host/command_line/help.hpp has the form).
 #   @TITLE@      the page's title line         @ARGUMENTS@    the arguments, a paragraph each
 #   @NAME@       what the program is           @OPTIONS@      the options, likewise
 #   @SYNOPSIS@   how it is called              @EXIT_STATUS@  the exit codes, which stand after the options

@@ -1,0 +1,118 @@
+#include "base/text_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "base/file_claims.hpp"
+#include "base/text_location.hpp"
+
+namespace lavaray {
+namespace {
+
+constexpr std::string_view kWhiteSpace = " \t";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+[[noreturn]] void throwSystemError() {
+  throw std::system_error(errno, std::generic_category());
+}
+
+}  // namespace
+
+ByteReader::ByteReader(const std::filesystem::path& file) {
+  noteRead(file);
+  stream_.reset(std::fopen(file.c_str(), "rb"));
+  if (!stream_) throwSystemError();
+}
+
+ByteReader::ByteReader(std::FILE* stream) : stream_(stream) {
+  if (!stream_) throwSystemError();
+}
+
+std::size_t ByteReader::read(std::span<char> bytes) {
+  const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stream_.get());
+  if (count < bytes.size() && std::ferror(stream_.get()) != 0) throwSystemError();
+  return count;
+}
+
+std::string readFile(const std::filesystem::path& file) {
+  ByteReader reader(file);
+  // The size is a hint only: a pipe has none, and a folder is found out by the first read.
+  std::error_code noSize;
+  const std::uintmax_t size = std::filesystem::file_size(file, noSize);
+  return readAll(reader, noSize ? 0 : static_cast<std::size_t>(size));
+}
+
+std::string readAll(ByteReader& reader, std::size_t size) {
+  constexpr std::size_t kChunk = 1 << 16;
+  std::string text;
+  text.reserve(size + kChunk);
+  std::size_t length = 0;
+  for (;;) {
+    text.resize(length + kChunk);
+    const std::size_t count = reader.read(std::span(text).subspan(length, kChunk));
+    length += count;
+    if (count < kChunk) break;
+  }
+  text.resize(length);
+  return text;
+}
+
+void rejectNulBytes(std::string_view text, const std::filesystem::path& file) {
+  const std::size_t position = text.find('\0');
+  if (position == std::string_view::npos) return;
+  // The byte is part of the last line of what precedes it and itself.
+  failAtNulByte({file, countLines(text.substr(0, position + 1))});
+}
+
+void failAtNulByte(const TextLocation& location) {
+  failAt(location, "a NUL byte, allowed is plain text in ASCII or UTF-8");
+}
+
+Lines::Lines(std::string_view text, std::size_t linesBefore) : text_(text), number_(linesBefore) {
+  if (linesBefore == 0 && text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+  findLf();
+}
+
+void Lines::findLf() {
+  lf_ = std::min(text_.find('\n', position_), text_.size());
+  beforeCrs_ = lf_;
+  while (beforeCrs_ > position_ && text_[beforeCrs_ - 1] == '\r') --beforeCrs_;
+}
+
+bool Lines::next() {
+  if (position_ >= text_.size()) return false;
+  line_ = text_.substr(position_, beforeCrs_ - position_);
+  ++number_;
+  if (const std::size_t loneCr = line_.find('\r'); loneCr != std::string_view::npos) {
+    line_ = line_.substr(0, loneCr);
+    position_ += loneCr + 1;
+  } else {
+    position_ = lf_ + 1;
+    if (position_ < text_.size()) findLf();
+  }
+  return true;
+}
+
+std::size_t countLines(std::string_view text) {
+  Lines lines(text);
+  while (lines.next()) {
+  }
+  return lines.lineNumber();
+}
+
+std::string_view trim(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kWhiteSpace);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kWhiteSpace) - begin + 1);
+}
+
+std::string_view takeWord(std::string_view& rest) {
+  const std::size_t begin = std::min(rest.find_first_not_of(kWhiteSpace), rest.size());
+  const std::size_t end = std::min(rest.find_first_of(kWhiteSpace, begin), rest.size());
+  const std::string_view word = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return word;
+}
+
+}  // namespace lavaray

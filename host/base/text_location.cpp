@@ -1,0 +1,27 @@
+#include "base/text_location.hpp"
+
+#include "base/errors.hpp"
+
+namespace lavaray {
+
+std::string messageAt(const TextLocation& location, std::string_view message) {
+  return printable(location.file.native()) + ":" + std::to_string(location.line) + ": " +
+         std::string(message);
+}
+
+void failAt(const TextLocation& location, std::string_view message) {
+  throw Error(ExitCode::kInput, messageAt(location, message));
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  return '"' + printable(text.substr(0, kLongest)) + (text.size() > kLongest ? "...\"" : "\"");
+}
+
+std::string ticked(std::string_view word) {
+  std::string result = "`";
+  result += word;
+  return result + "`";
+}
+
+}  // namespace lavaray

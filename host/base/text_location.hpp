@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/printable.hpp"
+
+namespace lavaray {
+
+// A line of an input file, counted from 1. Refers to the path, which must outlive it.
+struct TextLocation {
+  const std::filesystem::path& file;
+  std::size_t line;
+};
+
+// `file:line: message`, the form of all complaints about input.
+std::string messageAt(const TextLocation& location, std::string_view message);
+
+// Throws Error(kInput) with that message.
+[[noreturn]] void failAt(const TextLocation& location, std::string_view message);
+
+// Text of an input file in double quotes, fit for a message: control characters replaced, long text cut.
+std::string quoted(std::string_view text);
+
+// A word of the file format, set off from the sentence around it.
+std::string ticked(std::string_view word);
+
+}  // namespace lavaray

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "bvh/range.hpp"
+
+namespace lavaray {
+
+// Splits by binning, based on: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007.
+
+constexpr int kMaxBins = 32;
+
+// Which of an axis's `bins` a reference falls into by its doubled centroid: they divide the extent of a
+// range's centroids evenly. An axis without extent, or with one too small to divide by, has scale 0.
+struct BinMapping {
+  int bins;
+  float lower[3];
+  float scale[3];
+
+  explicit BinMapping(const Range& range);
+  [[nodiscard]] bool canSplit(int axis) const { return scale[axis] > 0.0F; }
+  [[nodiscard]] int bin(const Reference& reference, int axis) const {
+    return static_cast<int>((reference.box.doubledCentroid(axis) - lower[axis]) * scale[axis]);
+  }
+};
+
+// How many references have fallen into each bin of each axis, and their boxes.
+struct Bins {
+  int size;  // bins an axis
+  PaddedBox boxes[3][kMaxBins];
+  std::uint32_t counts[3][kMaxBins];
+
+  explicit Bins(int binsPerAxis);
+  void add(std::span<const Reference> references, const BinMapping& mapping);
+  void add(const Bins& other);
+  [[nodiscard]] PaddedBox boxOf(int axis, int first, int last) const;
+};
+
+struct BinSplit {
+  int axis;
+  int lastLeftBin;
+};
+
+// The split of the lowest cost by the surface area heuristic; nothing where all centroids coincide.
+std::optional<BinSplit> bestSplit(const Bins& bins, const BinMapping& mapping);
+
+}  // namespace lavaray

@@ -1,0 +1,84 @@
+#include "bvh/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "base/vector.hpp"
+
+namespace lavaray {
+namespace {
+
+// How far a scene's things are from the camera: spheres and triangles, and what may be far beside them.
+class Extent {
+ public:
+  explicit Extent(const Scene& scene) : origin_(scene.camera.position) {
+    for (const Plane& plane : scene.planes) {
+      far_ = std::max(far_, std::abs(glm::dot(unitOrZero(plane.normal), plane.point - origin_)));
+    }
+    for (const Light& light : scene.lights) far_ = std::max(far_, reach(light.position, light.radius));
+    for (const Sphere& sphere : scene.spheres) addNear(reach(sphere.center, sphere.radius));
+    for (const Triangle& triangle : scene.triangles) {
+      for (const glm::dvec3& vertex : triangle.vertices) addNear(reach(vertex));
+    }
+    for (const MeshObject& object : scene.meshObjects) addMesh(scene.meshes[object.mesh]);
+  }
+  // Where it is at least 1, it may be less than the largest: most scenes have such a coordinate right at the
+  // start.
+  [[nodiscard]] double near() const { return near_; }
+  [[nodiscard]] double far() const { return far_; }
+
+ private:
+  [[nodiscard]] double reach(const glm::dvec3& point, double radius = 0.0) const {
+    return std::max(largestComponent(point - origin_), radius);
+  }
+  void addNear(double distance) { near_ = std::max(near_, distance); }
+  void addMesh(const Mesh& mesh) {
+    for (const MeshTriangle& triangle : mesh.triangles) {
+      if (near_ >= 1.0) return;
+      for (const std::uint32_t vertex : triangle.positions) addNear(reach(mesh.positions[vertex]));
+    }
+  }
+
+  glm::dvec3 origin_;
+  double near_ = 0.0;
+  double far_ = 0.0;
+};
+
+}  // namespace
+
+glm::vec3 Frame::position(const glm::dvec3& point) const {
+  return toFloat(scale * (point - origin));
+}
+
+float Frame::length(double length) const {
+  return toFloat(scale * length);
+}
+
+float Frame::planeDistance(const glm::dvec3& normal, const glm::dvec3& point) const {
+  return toFloat(scale * glm::dot(normal, point - origin));
+}
+
+Frame frameOf(const Scene& scene) {
+  constexpr int kMaxExponent = 1000;  // of a double that no power of two takes beyond the largest one
+  constexpr int kFarthestExponent =
+      50;  // squares of the products of such a distance and a near one stay finite
+  const Extent extent(scene);
+  const double measure = extent.near() > 0.0 ? extent.near() : extent.far();
+  int exponent = measure > 0.0 ? std::min(-std::ilogb(measure), kMaxExponent) : 0;
+  if (extent.far() > 0.0) exponent = std::min(exponent, kFarthestExponent - std::ilogb(extent.far()));
+  return {scene.camera.position, std::ldexp(1.0, std::max(exponent, 0))};
+}
+
+float toFloat(double value) {
+  const auto rounded = static_cast<float>(value);
+  return std::abs(rounded) < std::numeric_limits<float>::min() ? 0.0F : rounded;
+}
+
+glm::vec3 toFloat(const glm::dvec3& v) {
+  return {toFloat(v.x), toFloat(v.y), toFloat(v.z)};
+}
+
+}  // namespace lavaray

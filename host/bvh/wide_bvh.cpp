@@ -1,0 +1,175 @@
+#include "bvh/wide_bvh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "base/errors.hpp"
+
+namespace lavaray {
+namespace {
+
+constexpr int kWidth = static_cast<int>(gpu::kNodeWidth);
+constexpr double kLargestSide = 255.0;
+constexpr int kExponentBias = 127;
+constexpr int kLowestExponent = -126;
+
+// Coordinates on one axis in which side s lies at origin + s unit.
+struct Frame {
+  double origin;
+  double unit;  // 2^exponent
+  int exponent;
+
+  // The last side that is not above x, and the first one that is not below. Sides are exact, but their number
+  // is found with a difference that is rounded where x is tiny beside the origin.
+  [[nodiscard]] double sideBelow(double x) const {
+    const double side = std::floor((x - origin) / unit);
+    return origin + side * unit > x ? side - 1.0 : side;
+  }
+  [[nodiscard]] double sideAbove(double x) const {
+    const double side = std::ceil((x - origin) / unit);
+    return origin + side * unit < x ? side + 1.0 : side;
+  }
+};
+
+// The finest frame with lower and upper between sides 0 and 255 in which float32 holds every side exactly:
+// the origin is a multiple of 2^exponent, and no side more than 2^24 of it.
+Frame frameFor(float lower, float upper) {
+  const float magnitude = std::max(std::abs(lower), std::abs(upper));
+  const float step = (upper - lower) / static_cast<float>(kLargestSide);
+  int exponent = kLowestExponent;
+  if (step > 0.0F) exponent = std::max(exponent, std::ilogb(step));
+  if (magnitude > 0.0F) exponent = std::max(exponent, std::ilogb(magnitude) - 22);
+  for (;; ++exponent) {
+    const double unit = std::ldexp(1.0, exponent);
+    const Frame frame{std::floor(double{lower} / unit) * unit, unit, exponent};
+    if (frame.sideAbove(double{upper}) <= kLargestSide) return frame;
+  }
+}
+
+// Children's boxes in the frame of the node's own box, rounded outwards. A child that is not there has its
+// sides the wrong way round, so that no ray hits it.
+void setBoxes(gpu::BvhNode& node, const Box& own, std::span<const Box> children) {
+  node.lower = glm::uvec3(0);
+  node.upper = glm::uvec3(0);
+  node.exponents = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Frame frame = frameFor(own.lower[axis], own.upper[axis]);
+    node.origin[axis] = static_cast<float>(frame.origin);
+    node.exponents |= static_cast<gpu::uint>(frame.exponent + kExponentBias) << (8 * axis);
+    for (int i = 0; i < kWidth; ++i) {
+      double lower = kLargestSide;
+      double upper = 0.0;
+      if (static_cast<std::size_t>(i) < children.size()) {
+        lower = frame.sideBelow(double{children[i].lower[axis]});
+        upper = frame.sideAbove(double{children[i].upper[axis]});
+      }
+      node.lower[axis] |= static_cast<gpu::uint>(lower) << (8 * i);
+      node.upper[axis] |= static_cast<gpu::uint>(upper) << (8 * i);
+    }
+  }
+}
+
+// Nodes of the binary tree that become the children of one wide node.
+struct Children {
+  std::array<std::uint32_t, gpu::kNodeWidth> nodes;
+  std::size_t count = 0;
+
+  void add(std::uint32_t node) { nodes[count++] = node; }
+};
+
+class Widener {
+ public:
+  explicit Widener(const Bvh& bvh) : bvh_(bvh) {}
+
+  WideBvh run() {
+    result_.order.reserve(bvh_.order.size());
+    result_.nodes.reserve(bvh_.order.size() / 2);
+    result_.nodes.emplace_back();
+    setBoxes(result_.nodes[0], bvh_.nodes[0].box, {&bvh_.nodes[0].box, 1});
+    const gpu::uint root = add(0, 0);
+    result_.nodes[0].children = glm::uvec4(root, 0, 0, 0);
+    return std::move(result_);
+  }
+
+ private:
+  // Returns the node reference that stands for the subtree, which lies below `depth` inner nodes.
+  gpu::uint add(std::uint32_t index, std::uint32_t depth) {
+    const BvhNode& node = bvh_.nodes[index];
+    if (node.count > 0) return addLeaf(node);
+    assert(depth < gpu::kMaxBvhDepth);
+    result_.depth = std::max(result_.depth, depth + 1);
+    const auto reference = static_cast<gpu::uint>(result_.nodes.size());
+    if (reference > gpu::kMaxNode) {
+      throw Error(ExitCode::kInput,
+                  "the scene has too many spheres and triangles: their hierarchy would have "
+                  "more than " +
+                      std::to_string(gpu::kMaxNode) + " nodes");
+    }
+    result_.nodes.emplace_back();
+    gpu::BvhNode wide{};
+    const Children children = open(node);
+    std::array<Box, gpu::kNodeWidth> boxes;
+    for (std::size_t i = 0; i < children.count; ++i) boxes[i] = bvh_.nodes[children.nodes[i]].box;
+    setBoxes(wide, node.box, {boxes.data(), children.count});
+    for (std::size_t i = 0; i < children.count; ++i) {
+      wide.children[static_cast<int>(i)] = add(children.nodes[i], depth + 1);
+    }
+    result_.nodes[reference] = wide;
+    return reference;
+  }
+
+  gpu::uint addLeaf(const BvhNode& leaf) {
+    assert(leaf.count <= gpu::kMaxLeafSize);
+    const auto first = static_cast<gpu::uint>(result_.order.size());
+    const auto begin = bvh_.order.begin() + leaf.first;
+    result_.order.insert(result_.order.end(), begin, begin + leaf.count);
+    return leaf.count << gpu::kLeafShift | first;
+  }
+
+  // The node's two children, in which an inner one is replaced by its own two while there is room; the one
+  // with the largest surface first, as a ray most likely visits it.
+  [[nodiscard]] Children open(const BvhNode& node) const {
+    Children children;
+    children.add(node.left);
+    children.add(node.right);
+    const auto rank = [&](std::uint32_t i) {
+      return bvh_.nodes[i].count > 0 ? -1.0F : halfArea(bvh_.nodes[i].box);
+    };
+    while (children.count < gpu::kNodeWidth) {
+      const auto begin = children.nodes.begin();
+      const auto largest = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(children.count),
+                                            [&](auto a, auto b) { return rank(a) < rank(b); });
+      const BvhNode& opened = bvh_.nodes[*largest];
+      if (opened.count > 0) break;
+      *largest = opened.left;
+      children.add(opened.right);
+    }
+    return children;
+  }
+
+  const Bvh& bvh_;
+  WideBvh result_;
+};
+
+}  // namespace
+
+WideBvh widen(const Bvh& bvh) {
+  return Widener(bvh).run();
+}
+
+Box childBox(const gpu::BvhNode& node, int child) {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int exponent = static_cast<int>((node.exponents >> (8 * axis)) & 255U) - kExponentBias;
+    const float unit = std::ldexp(1.0F, exponent);
+    box.lower[axis] = node.origin[axis] + static_cast<float>((node.lower[axis] >> (8 * child)) & 255U) * unit;
+    box.upper[axis] = node.origin[axis] + static_cast<float>((node.upper[axis] >> (8 * child)) & 255U) * unit;
+  }
+  return box;
+}
+
+}  // namespace lavaray

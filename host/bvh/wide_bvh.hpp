@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bvh/bvh.hpp"
+#include "interface.h"
+
+namespace lavaray {
+
+// The tree as it is traversed: inner nodes with up to four children each, whose boxes are kept in 8 bits a
+// side.
+struct WideBvh {
+  // Depth first. Node 0 stands above the root: its only child is the root, be that an inner node or a leaf.
+  std::vector<gpu::BvhNode> nodes;
+  std::vector<std::uint32_t> order;  // the primitives in the order of the leaves
+  std::uint32_t depth = 0;           // inner nodes on the longest path
+};
+
+// Each node of the result takes the place of up to three of `bvh`. Throws Error(kInput) where it has more
+// nodes than a node reference can name.
+WideBvh widen(const Bvh& bvh);
+
+// The box of a node's child as the shader decodes it, exactly; for tests.
+Box childBox(const gpu::BvhNode& node, int child);
+
+}  // namespace lavaray

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "base/errors.hpp"
+
+namespace lavaray {
+
+struct Failure {
+  ExitCode exitCode;
+  std::string message;
+};
+
+// What the exception that is being handled says.
+Failure currentFailure();
+
+// Runs a program's body and returns its exit code. What the body throws is printed as `name: message`.
+int runProgram(const std::string& name, const std::function<ExitCode()>& body);
+
+}  // namespace lavaray

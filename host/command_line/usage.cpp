@@ -1,0 +1,133 @@
+#include "command_line/usage.hpp"
+
+#include <charconv>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/limits.hpp"
+#include "base/numbers.hpp"
+#include "base/text_location.hpp"
+#include "command_line/help.hpp"
+
+namespace lavaray {
+namespace {
+
+template <typename Number>
+std::optional<Number> parse(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (end != text.data() + text.size() || error != std::errc()) return std::nullopt;
+  return number;
+}
+
+template <typename Number>
+CLI::Validator within(Number least, Number most, const std::string& kind, const std::string& bounds) {
+  return {[=](const std::string& text) {
+            const std::optional<Number> number = parse<Number>(text);
+            if (number && *number >= least && *number <= most) return std::string();
+            return lavaray::quoted(text) + " is not " + kind + " " + bounds;
+          },
+          bounds};
+}
+
+std::string explained(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::string option = text.substr(0, text.find_first_of(": "));
+  const auto contains = [&](std::string_view words) { return text.find(words) != std::string::npos; };
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    if (contains("At Most")) return option + " has too many values";
+    return option + (contains("At least") ? " has too few values" : " has no value");
+  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return option + " is missing";
+  if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) {
+    return option + " needs" + text.substr(text.rfind(' '));
+  }
+  if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+    return option + " and" + text.substr(text.rfind(' ')) + " exclude each other";
+  }
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr && contains(": ")) {
+    return text.substr(text.find(": ") + 2) + " cannot be understood";
+  }
+  return printable(text);
+}
+
+}  // namespace
+
+CLI::Validator numberFrom(double least, double most) {
+  return within(least, most, "a number from", numberText(least) + " to " + numberText(most));
+}
+
+CLI::Validator numberFrom(double least) {
+  return within(least, std::numeric_limits<double>::max(), "a number that is",
+                numberText(least) + " or more");
+}
+
+CLI::Validator integerFrom(std::int64_t least, std::int64_t most) {
+  return within(least, most, "an integer from", std::to_string(least) + " to " + std::to_string(most));
+}
+
+CLI::Validator integerFrom(std::int64_t least) {
+  return within(least, std::numeric_limits<std::int64_t>::max(), "an integer that is",
+                std::to_string(least) + " or more");
+}
+
+CLI::Validator fileName() {
+  return {[](const std::string& name) { return name.empty() ? "an empty name is none" : std::string(); }, ""};
+}
+
+CLI::Validator fileNameNotStdout() {
+  return {[](const std::string& name) {
+            if (name == "-") return std::string("- is stdout, which is for pictures; name a file");
+            return fileName()(name);
+          },
+          ""};
+}
+
+bool parseCommandLine(CLI::App& app, int argc, const char* const* argv) {
+  app.set_help_all_flag("--help-table")->group("");
+  try {
+    app.parse(argc, argv);
+    return true;
+  } catch (const CLI::CallForHelp&) {
+    std::cout << helpText(app);
+    return false;
+  } catch (const CLI::CallForAllHelp&) {
+    std::cout << helpTable(app);
+    return false;
+  } catch (const CLI::Success& success) {
+    app.exit(success, std::cout, std::cerr);
+    return false;
+  } catch (const CLI::ParseError& error) {
+    throw Error(ExitCode::kUsage, explained(error) + "; " + app.get_name() + " --help lists the options");
+  }
+}
+
+void addCropOption(CLI::App& app, std::optional<Rectangle>& crop, const std::string& description) {
+  app.add_option_function<std::vector<int>>(
+         "--crop",
+         [&crop](const std::vector<int>& c) {
+           crop = Rectangle{c[0], c[1], c[2], c[3]};
+         },
+         description)
+      ->type_name("X0,Y0,X1,Y1")
+      ->delimiter(',')
+      ->expected(4)
+      ->check(integerFrom(0, kMaxImageSide));
+}
+
+Rectangle cropWithin(const std::optional<Rectangle>& crop, const ImageSize& size) {
+  const Rectangle part = crop.value_or(Rectangle{0, 0, size.width, size.height});
+  const bool inside = part.x0 >= 0 && part.x0 < part.x1 && part.x1 <= size.width &&  //
+                      part.y0 >= 0 && part.y0 < part.y1 && part.y1 <= size.height;
+  if (inside) return part;
+  throw Error(ExitCode::kUsage, "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
+                                    " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
+}
+
+}  // namespace lavaray

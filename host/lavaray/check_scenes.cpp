@@ -1,0 +1,36 @@
+#include "lavaray/check_scenes.hpp"
+
+#include <iostream>
+
+#include "base/output_file.hpp"
+#include "lavaray/inputs.hpp"
+#include "lavaray/json_report.hpp"
+#include "lavaray/report.hpp"
+#include "lavaray/scene_loop.hpp"
+
+namespace lavaray {
+namespace {
+
+ExitCode checkScene(const Options& options) {
+  UserShader none({});
+  Inputs inputs(options, none);
+  inputs.readScene({});
+  printWarnings(std::cerr, inputs.takeWarnings());
+  const Scene& scene = inputs.scene();
+  const ImageSize size = outputSize(options, imageSize(scene.camera).value());
+  printScene(std::cerr, scene);
+  if (!options.json.empty()) {
+    OutputFile file({"--json", options.json});
+    writeJsonCheck(file.stream(), scene, size);
+    file.commit();
+  }
+  return ExitCode::kSuccess;
+}
+
+}  // namespace
+
+ExitCode checkScenes(const std::vector<Options>& scenes) {
+  return forEachScene(scenes, [&](std::size_t index) { return checkScene(scenes[index]); });
+}
+
+}  // namespace lavaray

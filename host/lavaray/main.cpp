@@ -1,0 +1,46 @@
+#include <iostream>
+
+#include "command_line/program.hpp"
+#include "lavaray/check_scenes.hpp"
+#include "lavaray/options.hpp"
+#include "lavaray/render_scenes.hpp"
+#include "lavaray/report.hpp"
+#include "lavaray/scene_files.hpp"
+#include "lavaray/watch_scene.hpp"
+#include "vulkan/driver_survey.hpp"
+
+namespace lavaray {
+namespace {
+
+void listDevices(const Options& options) {
+  // Before the drivers are loaded here: one may end the program.
+  if (options.verbose) {
+    for (const std::string& line : vulkan::surveyDrivers().lines(true)) std::cerr << line << '\n';
+  }
+  vulkan::Instance instance(options.validate);
+  printWarnings(std::cerr, instance.takeWarnings());
+  printDevices(std::cerr, vulkan::listDevices(instance));
+}
+
+// The scenes' options differ in the names of files only.
+ExitCode run(const std::vector<Options>& scenes) {
+  const Options& options = scenes.front();
+  if (options.listDevices) {
+    listDevices(options);
+    return ExitCode::kSuccess;
+  }
+  checkFiles(scenes);
+  if (options.check) return checkScenes(scenes);
+  if (options.watch) return watchScene(options);
+  return renderScenes(scenes);
+}
+
+}  // namespace
+}  // namespace lavaray
+
+int main(int argc, char** argv) {
+  return lavaray::runProgram("lavaray", [&] {
+    const auto scenes = lavaray::parseOptions(argc, argv);
+    return scenes.empty() ? lavaray::ExitCode::kSuccess : lavaray::run(scenes);
+  });
+}

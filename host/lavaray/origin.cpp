@@ -1,0 +1,58 @@
+#include "lavaray/origin.hpp"
+
+#include <limits>
+#include <sstream>
+
+#include "command_line/version.hpp"
+
+namespace lavaray {
+namespace {
+
+std::string describe(const ImageSize& size, const std::optional<Rectangle>& crop) {
+  std::ostringstream text;
+  text << size.width << " x " << size.height;
+  if (crop) text << ", pixels " << crop->x0 << ',' << crop->y0 << " to " << crop->x1 << ',' << crop->y1;
+  return text.str();
+}
+
+std::string describe(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+}  // namespace
+
+std::optional<std::string> describeScale(View view, const RenderStatistics& result) {
+  if (view != View::kCost) return std::nullopt;
+  if (result.largestMeasure <= 0.0) return "no ray tests a node or a primitive";
+  std::ostringstream text;
+  // So that it is the very number that the values are parts of.
+  text.precision(std::numeric_limits<float>::max_digits10);
+  text << "white is " << result.largestMeasure << " nodes and primitives tested for a sample";
+  return text.str();
+}
+
+TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
+                           const std::string& device) {
+  TextEntries entries = {{"Software", std::string("lavaray ") + kVersion},
+                         {"Scene", options.scene.filename().string()},  // without the folders of who made it
+                         {"Size", describe(settings.size, options.crop)},
+                         {"Seed", std::to_string(settings.seed)},
+                         {"Device", device}};
+  if (options.view != View::kColor) entries.emplace_back("View", viewName(options.view));
+  return entries;
+}
+
+TextEntries describeOutcome(View view, const RenderStatistics& result, double seconds) {
+  TextEntries entries = {
+      // In the mean; a render to a target error, or one that was stopped, takes them where they help most.
+      {"Samples per pixel", describe(result.samplesPerPixel)},
+      {"Seconds", describe(seconds)}};
+  if (result.stopReason != StopReason::kFinished)
+    entries.emplace_back("Stopped", stopReasonName(result.stopReason));
+  if (const auto scale = describeScale(view, result)) entries.emplace_back("Scale", *scale);
+  return entries;
+}
+
+}  // namespace lavaray

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "image/png_file.hpp"
+#include "lavaray/options.hpp"
+#include "render/renderer.hpp"
+
+namespace lavaray {
+
+// What white stands for, where the picture shows a cost.
+std::optional<std::string> describeScale(View view, const RenderStatistics& result);
+
+// What a picture file says of how it came to be: what is known before the rendering, and what after it.
+TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const std::string& device);
+TextEntries describeOutcome(View view, const RenderStatistics& result, double seconds);
+
+}  // namespace lavaray

@@ -1,0 +1,217 @@
+#include "lavaray/session.hpp"
+
+#include <iostream>
+#include <span>
+
+#include "base/available_memory.hpp"
+#include "command_line/interrupt.hpp"
+#include "command_line/usage.hpp"
+#include "lavaray/checkpoint.hpp"
+#include "lavaray/identity.hpp"
+#include "lavaray/json_report.hpp"
+#include "lavaray/origin.hpp"
+
+namespace lavaray {
+namespace {
+
+// A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
+bool needsWhole(const Options& options) {
+  return options.normalize || isMeasure(options.view);
+}
+
+bool keepsFilm(const Options& options) {
+  return writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
+}
+
+// Rows of one sample a pixel go to the file while others are traced, unless something needs all of them.
+bool keepsPicture(const Options& options) {
+  const bool isOneSample = options.samples == 1 && !options.targetError;
+  return !isOneSample || needsWhole(options) || options.view == View::kSamples || options.display ||
+         keepsFilm(options);
+}
+
+RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
+  RenderSettings settings;
+  settings.size = size;
+  settings.crop = needsWhole(options) ? Rectangle{0, 0, size.width, size.height} : part;
+  settings.maxDepth = options.maxDepth;
+  settings.samples = options.samples;
+  settings.range = options.sampleRange;
+  settings.sampler = options.sampler;
+  settings.filter = options.filter;
+  settings.seed = options.seed;
+  settings.targetError = options.targetError;
+  settings.maxSamples = options.maxSamples;
+  settings.timeLimitSeconds = options.timeLimitSeconds;
+  settings.view = options.view;
+  settings.keepsPicture = keepsPicture(options);
+  settings.countRays = options.stats || !options.json.empty();
+  return settings;
+}
+
+// An interrupted picture is written to its end, and compressing that many pixels takes over a second.
+bool takesLongToWrite(const Rectangle& part) {
+  return std::int64_t{part.x1 - part.x0} * (part.y1 - part.y0) > 4'000'000;
+}
+
+// Before the first ray: later, all that was rendered would be lost.
+void checkMemory(const RenderSettings& settings, bool canBeCropped) {
+  const std::uint64_t needed = hostBytes(settings);
+  const MemoryRoom room = memoryRoom();
+  if (needed <= room.bytes) return;
+  const Rectangle& part = settings.crop;
+  const bool isOneSample = settings.samples == 1 && !settings.targetError;
+  throw Error(ExitCode::kMemory,
+              "there is not enough memory: a picture of " + std::to_string(part.x1 - part.x0) + " x " +
+                  std::to_string(part.y1 - part.y0) + " pixels needs " + inGigabytes(needed) + ", and " +
+                  room.limit + ' ' + inGigabytes(room.bytes) + "; a smaller --width or --height needs less" +
+                  (canBeCropped ? ", or parts by --crop" : "") +
+                  (isOneSample ? "" : ", or one sample per pixel"));
+}
+
+}  // namespace
+
+Session::Session(const Options& options, RenderContext& context)
+    : options_(options),
+      context_(context),
+      device_(context.device),
+      progress_(context.progress),
+      inputs_(options, context.shader),
+      viewer_(options) {}
+
+bool Session::isEnded() const {
+  return wasInterrupted() || viewer_.isClosed();
+}
+
+void Session::printWarnings() {
+  progress_.end();
+  lavaray::printWarnings(std::cerr, inputs_.takeWarnings());
+}
+
+ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
+  const Scene& scene = inputs_.scene();
+  const ImageSize size = outputSize(options_, imageSize(scene.camera).value());
+  const Rectangle part = cropWithin(options_.crop, size);
+  RenderSettings settings = renderSettings(options_, size, part);
+  settings.shader = inputs_.shader();
+  Outputs outputs(options_);
+  outputs.checkSize(part.x1 - part.x0, part.y1 - part.y0);
+  Layers layers(options_);
+
+  progress_.begin("building the hierarchy");
+  inputs_.flatten();
+  times_.endStep("build");
+  progress_.begin("opening the device");
+  OpenDevice& open = device_.get();
+  times_.endStep("wait for device");
+  progress_.end();
+  lavaray::printWarnings(std::cerr, open.instance.takeWarnings());
+  if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
+  viewer_.open(size);
+
+  const Identity identity = keepsFilm(options_) ? describeIdentity(options_, inputs_, settings) : Identity{};
+  Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
+  checkMemory(settings, !needsWhole(options_));
+  if (!traceLayers(layers, settings, part, isOutdated)) return ExitCode::kSuccess;
+  Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
+  if (!options_.resume.empty()) {
+    resume(options_.resume, identity, settings, open.device.description().name, render);
+  }
+  outputs.beginPicture(part, describeOrigin(options_, settings, open.device.description().name));
+  bool isOfThePast = false;
+  progress_.begin("rendering");
+  context_.keepWhenInterrupted();
+  render.run(
+      [&] {
+        checkpoint.saveIfDue(render);
+        isOfThePast = isOutdated();
+        return proceed(render) && !isOfThePast;
+      },
+      [&](std::span<const float> row) { outputs.writeRow(row); });
+  progress_.end();
+  times_.endStep("render", outputs.timeOfRows());
+  if (isOfThePast) return ExitCode::kSuccess;
+  const bool isInterrupted = render.statistics().stopReason == StopReason::kInterrupted;
+  if (isInterrupted && render.samplesPerPixel() == 0.0)
+    throw Error(interruptCode(), "interrupted before anything was rendered");
+
+  checkpoint.save(render);
+  viewer_.showFinished(render);
+  const std::string interruption =
+      "interrupted at " + std::to_string(static_cast<int>(100.0 * render.shareDone())) + " %; ";
+  if (isInterrupted && takesLongToWrite(part))
+    std::cerr << "lavaray: " << interruption << "writing the picture, which takes a while\n";
+  writePicture(render, settings, identity, outputs);
+  // What fails from here on must not take the picture along.
+  layers.write(render, settings, part, open.device.description().name);
+  layers.commit();
+  writeStatistics(render.statistics(), settings, outputs);
+  const std::string name = options_.output == "-" ? "stdout" : options_.output;
+  if (isInterrupted) {
+    throw Error(interruptCode(),
+                interruption + name + " holds what was rendered, pixels without a sample are black");
+  }
+  if (options_.verbose) std::cerr << "wrote " << options_.output << '\n';
+  if (checkpoint.hasFailed()) {
+    throw Error(ExitCode::kOutput, options_.output + " is written, but the checkpoint " +
+                                       options_.checkpoint.string() + " is not: see the warning");
+  }
+  return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
+}
+
+// Before the picture: an interrupted one then has them, too. Returns false where they are of the past.
+bool Session::traceLayers(Layers& layers, const RenderSettings& settings, const Rectangle& part,
+                          const IsOutdated& isOutdated) {
+  if (!layers.areTraced()) return true;
+  bool isOfThePast = false;
+  progress_.begin("tracing the layers");
+  const bool isWhole = layers.trace(device_.get().device, inputs_.scene(), inputs_.gpuScene(), settings, part,
+                                    [&](double share) {
+                                      progress_.update(share, "");
+                                      isOfThePast = isOutdated();
+                                      return !isEnded() && !isOfThePast;
+                                    });
+  progress_.end();
+  times_.endStep("trace layers");
+  if (isWhole || isOfThePast) return isWhole;
+  throw Error(interruptCode(), "interrupted before the picture was begun");
+}
+
+void Session::writePicture(Render& render, const RenderSettings& settings, const Identity& identity,
+                           Outputs& outputs) {
+  const RenderStatistics statistics = render.statistics();
+  if (outputs.hasFilm()) {
+    outputs.writeFilm(render, identity);
+  } else {
+    outputs.writeRowsOf(render, settings.crop);
+    outputs.endPicture(describeOutcome(options_.view, statistics, times_.seconds()));
+  }
+  times_.endStep("write image");
+  const std::optional<std::string> scale = describeScale(options_.view, statistics);
+  if (scale && !options_.quiet) std::cerr << viewName(options_.view) << ": " << *scale << '\n';
+}
+
+void Session::writeStatistics(const RenderStatistics& statistics, const RenderSettings& settings,
+                              Outputs& outputs) {
+  const vulkan::Device& device = device_.get().device;
+  if (options_.stats) {
+    printStatistics(std::cerr, inputs_.scene(), inputs_.gpuScene(), device, statistics);
+    times_.print(std::cerr);
+  }
+  if (outputs.json() == nullptr) return;
+  try {
+    writeJsonStatistics(outputs.json(), inputs_.scene(), settings.size, inputs_.gpuScene(), device,
+                        statistics, times_);
+    outputs.commitJson();
+  } catch (const Error& error) {
+    throw Error(error.exitCode(), options_.output + " is written, but " + error.what());
+  }
+}
+
+bool Session::proceed(const Render& render) {
+  progress_.update(render.shareDone(), describeSamples(render));
+  viewer_.update(render);
+  return !isEnded();
+}
+
+}  // namespace lavaray

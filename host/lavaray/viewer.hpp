@@ -1,0 +1,42 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "lavaray/options.hpp"
+#include "lavaray/window.hpp"
+#include "render/renderer.hpp"
+
+namespace lavaray {
+
+// The window of --display, which shows a picture while it grows; without that option nothing.
+class Viewer {
+ public:
+  explicit Viewer(const Options& options) : options_(options) {}
+
+  // Opens the window, the first time, for a picture of this size.
+  void open(const ImageSize& size);
+  // Looks at keys and mouse, and shows the picture where the last time is long enough ago.
+  void update(const Render& render);
+  void showFinished(const Render& render);
+  // Looks at keys and mouse while nothing is rendered.
+  void idle();
+  void waitUntilClosed();
+
+  [[nodiscard]] bool isClosed() const { return isClosed_; }  // by the user
+  [[nodiscard]] bool hasFailed() const { return hasFailed_; }
+
+ private:
+  void show(const Render& render, bool isFinished);
+
+  const Options& options_;
+  std::unique_ptr<Window> window_;
+  bool isClosed_ = false;
+  bool hasFailed_ = false;
+  std::chrono::steady_clock::time_point lastShown_;
+};
+
+// Like `14 spp, error 0.01`.
+std::string describeSamples(const Render& render);
+
+}  // namespace lavaray

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "base/errors.hpp"
+#include "lavaray/options.hpp"
+
+namespace lavaray {
+
+// Renders the scene to its files, and again whenever one of the files that it is made of changes, until the
+// user interrupts that or closes the window.
+ExitCode watchScene(const Options& options);
+
+}  // namespace lavaray

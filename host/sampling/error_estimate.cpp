@@ -1,0 +1,202 @@
+#include "sampling/error_estimate.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "sampling/convergence.hpp"
+
+namespace lavaray {
+namespace {
+
+using convergence::fallStepOf;
+
+// Where nothing is known: a little slower than at edges, since a target that is passed is worse than one
+// undercut.
+constexpr int kUsualFallStep = fallStepOf(1.25);
+constexpr int kIndependentFallStep = fallStepOf(1.0);
+constexpr int kSmoothFallStep = fallStepOf(3.0);
+// An edge that all n samples have missed is shorter the more they are; see unseenEdge.
+constexpr int kUnseenFallStep = fallStepOf(2.0);
+// The usual fall counts as much as so many pixels in which another one is met.
+constexpr float kUsualFallPixels = 2.0F;
+
+// Pixels to each side of a pixel that say how errors fall there.
+constexpr int kReach = 2;
+// On a slope of shading that runs straight through pixels, two neighbours' squared contrast is at most so
+// many times the variance within one: 12 across the pixels' sides, and as much again for what chance does.
+constexpr float kSlopeContrast = 24.0F;
+// The edge that crosses a neighbour explains their contrast, unless it covers more than three quarters of it
+// and so comes near: p^2 > 3 p (1 - p) where p > 3/4.
+constexpr float kNeighbourContrast = 3.0F;
+// Two samples' variance is 1/7 of the squared slope of smooth shading. It is smooth below the first of these
+// shares and is not above the second; the rest is left to chance.
+constexpr float kSmoothShare = 0.35F;
+constexpr float kRoughShare = 0.7F;
+// Of the pixels that differ from a neighbour, how many have an edge that was missed. Measured: higher and the
+// target is undercut for nothing, lower and it is passed.
+constexpr float kUnseenShare = 0.05F;
+
+template <typename Vector>
+auto meanSquare(const Vector& v) {
+  return (v.r * v.r + v.g * v.g + v.b * v.b) / 3;
+}
+
+// Where two pixels differ there may be an edge that happens to lie beyond all samples of either. Of an edge
+// that covers a share c of the pixel, all c alike, and that n samples have missed, c^2 is 2 / ((n + 2) (n +
+// 3)) in the mean.
+float unseenEdge(float squaredContrast, float samples) {
+  return kUnseenShare * squaredContrast * 2.0F / ((samples + 2.0F) * (samples + 3.0F));
+}
+
+// How much a neighbour's variance says of a pixel's own, of which n samples are known. In a penumbra where
+// few samples are blocked a pixel may have met none and be as hard as one that has: their contrast is small
+// against the variance. Beside an edge the contrast is large. If the neighbour's samples have two values, one
+// of them the pixel's own, they have the other one with this probability q, and (1 - q)^n is the chance that
+// the pixel has met none though it is alike; taken twice, as the variance is itself a guess. As (1 - n q /
+// 4)^8, which is nearly that, without an exponential function.
+float likeness(float squaredContrast, float neighbourVariance, float n) {
+  if (squaredContrast == 0.0F) return 1.0F;
+  const float q = squaredContrast / (squaredContrast + neighbourVariance);
+  const float root = std::max(0.0F, 1.0F - 0.25F * n * q);
+  const float square = root * root;
+  return square * square * square * square;
+}
+
+// The lesser of two slopes, 0 where one rises and the other falls.
+float lesserSlope(float a, float b) {
+  return a * b > 0.0F ? std::min(std::abs(a), std::abs(b)) : 0.0F;
+}
+glm::vec3 lesserSlope(const glm::vec3& a, const glm::vec3& b) {
+  return {lesserSlope(a.r, b.r), lesserSlope(a.g, b.g), lesserSlope(a.b, b.b)};
+}
+
+}  // namespace
+
+ErrorEstimate::ErrorEstimate(int width, int height, bool isStratified, double negligible)
+    : width_(width),
+      height_(height),
+      isStratified_(isStratified),
+      negligible_(static_cast<float>(negligible)),
+      isMarked_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      statistics_(isMarked_.size()),
+      classes_(isMarked_.size()) {}
+
+void ErrorEstimate::markAll() {
+  std::fill(isMarked_.begin(), isMarked_.end(), std::uint8_t{1});
+}
+
+void ErrorEstimate::update(std::span<const HalfSums> sums) {
+  const auto rows = static_cast<std::size_t>(height_);
+  const auto columns = static_cast<std::size_t>(width_);
+  parallelFor(rows, hardwareThreads(), [&](std::size_t y) {
+    for (std::size_t pixel = y * columns; pixel < (y + 1) * columns; ++pixel)
+      if (isMarked_[pixel] != 0) statistics_[pixel] = statistics(sums[pixel]);
+  });
+  parallelFor(rows, hardwareThreads(), [&](std::size_t y) { updateRow(static_cast<int>(y)); });
+  std::fill(isMarked_.begin(), isMarked_.end(), std::uint8_t{0});
+}
+
+void ErrorEstimate::updateRow(int y) {
+  const auto columns = static_cast<std::size_t>(width_);
+  std::vector<std::uint8_t> marks(columns + 2 * kReach);  // of the rows around, with a margin
+  for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v) {
+    const std::uint8_t* row = &isMarked_[static_cast<std::size_t>(v) * columns];
+    for (std::size_t x = 0; x < columns; ++x) marks[x + kReach] |= row[x];
+  }
+  PixelClass* classes = &classes_[static_cast<std::size_t>(y) * columns];
+  for (std::size_t x = 0; x < columns; ++x) {
+    static_assert(kReach == 2);
+    const bool isNearMark = (marks[x] | marks[x + 1] | marks[x + 2] | marks[x + 3] | marks[x + 4]) != 0;
+    if (isNearMark) classes[x] = classOf(static_cast<int>(x), y);
+  }
+}
+
+ErrorEstimate::Statistics ErrorEstimate::statistics(const HalfSums& sums) {
+  PixelSum all = sums.halves[0];
+  all.add(sums.halves[1]);
+  const glm::dvec3 mean = all.mean();
+  const double n = all.samples();
+  const double squares = PixelSum::toDouble(sums.squares);
+  const double variance = std::max(0.0, squares - n * meanSquare(mean)) / (n - 1.0);
+  // The two first samples are not kept apart: there the variance says the same.
+  const double difference =
+      n > 2.0 ? meanSquare((sums.halves[0].mean() - sums.halves[1].mean()) / 2.0) : variance / 2.0;
+  return {glm::vec3(mean), static_cast<float>(variance), static_cast<float>(difference * n * std::sqrt(n)),
+          static_cast<int>(std::bit_width(all.samples())) - 1};
+}
+
+// How errors fall where nothing is known but that few samples have this variance. If a straight slope
+// explains it, all is smooth.
+int ErrorEstimate::usualFallStep(int x, int y, float variance) const {
+  if (x == 0 || y == 0 || x == width_ - 1 || y == height_ - 1) return kUsualFallStep;
+  const Statistics* own = &statistics_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + x];
+  const auto slope = [own](int step) {
+    return meanSquare(lesserSlope(own->mean - own[-step].mean, own[step].mean - own->mean));
+  };
+  const float squaredSlope = slope(1) + slope(width_);
+  const float share = (kRoughShare * squaredSlope - variance) / ((kRoughShare - kSmoothShare) * squaredSlope);
+  if (!(share > 0.0F)) return kUsualFallStep;
+  constexpr auto kSteps = static_cast<float>(kSmoothFallStep - kUsualFallStep);
+  return kUsualFallStep + static_cast<int>(std::min(share, 1.0F) * kSteps + 0.5F);
+}
+
+int ErrorEstimate::fallStepAround(int x, int y, int usualFallStep) const {
+  float differences = 0.0F;
+  float variances = 0.0F;
+  float squaredVariances = 0.0F;
+  float steps = 0.0F;
+  for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v) {
+    for (int u = std::max(0, x - kReach); u <= std::min(width_ - 1, x + kReach); ++u) {
+      const Statistics& s = statistics_[static_cast<std::size_t>(v) * width_ + u];
+      differences += s.difference;
+      variances += s.variance;
+      squaredVariances += s.variance * s.variance;
+      steps += s.variance * static_cast<float>(s.sampleStep);
+    }
+  }
+  // Two samples' difference is their variance.
+  const float step = steps / variances;
+  if (!(step >= 1.25F)) return usualFallStep;
+  // As if a few more pixels had been met where errors fall as usual; pixels without variance do not count.
+  const float count = variances * variances / squaredVariances;
+  const float usual = convergence::squaredDifference(usualFallStep, step);
+  const float met = (count * differences / variances + kUsualFallPixels * usual) / (count + kUsualFallPixels);
+  int fallStep = 0;
+  while (fallStep < kSmoothFallStep &&
+         convergence::squaredDifference(fallStep, step) + convergence::squaredDifference(fallStep + 1, step) >
+             2.0F * met) {
+    ++fallStep;
+  }
+  return fallStep;
+}
+
+PixelClass ErrorEstimate::classOf(int x, int y) const {
+  const Statistics& own = statistics_[static_cast<std::size_t>(y) * width_ + x];
+  const auto n = static_cast<float>(1U << static_cast<unsigned>(own.sampleStep));
+  float variance = 0.0F;
+  float weights = 0.0F;
+  float unexplained = 0.0F;  // the most squared contrast that no variance explains
+  for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
+      const Statistics& neighbour = statistics_[static_cast<std::size_t>(v) * width_ + u];
+      const float contrast = meanSquare(neighbour.mean - own.mean);
+      const float weight = likeness(contrast, neighbour.variance, n);
+      variance += weight * neighbour.variance;
+      weights += weight;
+      unexplained = std::max(unexplained, contrast - kNeighbourContrast * neighbour.variance);
+    }
+  }
+  variance /= weights;
+  unexplained -= kSlopeContrast * own.variance;
+  int fallStep = isStratified_ ? kUsualFallStep : kIndependentFallStep;
+  if (isStratified_ && variance * convergence::squaredError(fallStep, own.sampleStep) > negligible_)
+    fallStep = fallStepAround(x, y, usualFallStep(x, y, variance));
+  const float seen = variance * convergence::squaredError(fallStep, own.sampleStep);
+  const float unseen = unexplained > 0.0F ? unseenEdge(unexplained, n) : 0.0F;
+  return seen >= unseen ? PixelClass(seen, fallStep, own.sampleStep)
+                        : PixelClass(unseen, kUnseenFallStep, own.sampleStep);
+}
+
+}  // namespace lavaray

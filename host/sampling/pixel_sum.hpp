@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace lavaray {
+
+// The sum of a pixel's samples in fixed point: sums of samples add up without rounding, so the mean does not
+// depend on the order or the grouping in which they arrive. A sample's rounding, 2^-41, is far below what a
+// float32 image shows, and 2^22 samples fit.
+class PixelSum {
+ public:
+  // To the nearest, halves away from 0, as std::llround does, which is a call for each of millions of values.
+  // A float's 24 bits leave room for the half that is added.
+  static std::int64_t toFixedPoint(float value) {
+    const double scaled = static_cast<double>(value) * kOne;
+    return static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
+  }
+  static double toDouble(std::int64_t value) { return static_cast<double>(value) * (1.0 / kOne); }
+
+  void add(const glm::vec3& sum, std::uint32_t samples) {
+    for (int channel = 0; channel < 3; ++channel) sum_[channel] += toFixedPoint(sum[channel]);
+    samples_ += samples;
+  }
+  void add(const PixelSum& other) {
+    for (int channel = 0; channel < 3; ++channel) sum_[channel] += other.sum_[channel];
+    samples_ += other.samples_;
+  }
+  [[nodiscard]] std::uint32_t samples() const { return samples_; }
+  // Black where there are no samples.
+  [[nodiscard]] glm::dvec3 mean() const {
+    if (samples_ == 0) return glm::dvec3(0.0);
+    const glm::dvec3 sum(toDouble(sum_[0]), toDouble(sum_[1]), toDouble(sum_[2]));
+    return sum / static_cast<double>(samples_);
+  }
+
+ private:
+  static constexpr double kOne = 0x1p40;
+  std::int64_t sum_[3] = {0, 0, 0};
+  std::uint32_t samples_ = 0;
+  std::uint32_t padding_ = 0;  // Films hold these bytes, so none is left to chance.
+};
+
+// The sums of the first and the second half of a pixel's samples, which are a power of two; two samples are
+// both in the first.
+struct HalfSums {
+  PixelSum halves[2];
+  // Sum over the samples of the mean over the channels of the squared colour, in fixed point as the others.
+  std::int64_t squares = 0;
+};
+
+}  // namespace lavaray

@@ -1,0 +1,92 @@
+#include "shader_compiler/exact_spirv.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <spirv-tools/optimizer.hpp>
+#include <spirv/unified1/spirv.hpp>
+
+namespace lavaray {
+namespace {
+
+constexpr std::size_t kHeaderWords = 5;
+
+// The operations that NoContraction may decorate and that round: Khronos, "SPIR-V Specification",
+// version 1.5, from "Arithmetic Instructions".
+bool isRounded(spv::Op code) {
+  switch (code) {
+    case spv::OpFAdd:
+    case spv::OpFSub:
+    case spv::OpFMul:
+    case spv::OpFDiv:
+    case spv::OpFRem:
+    case spv::OpFMod:
+    case spv::OpVectorTimesScalar:
+    case spv::OpMatrixTimesScalar:
+    case spv::OpVectorTimesMatrix:
+    case spv::OpMatrixTimesVector:
+    case spv::OpMatrixTimesMatrix:
+    case spv::OpOuterProduct:
+    case spv::OpDot:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// The sections of a module have a fixed order: decorations come before types, and these before functions.
+bool beginsDecorations(spv::Op code) {
+  return code == spv::OpDecorate || code == spv::OpMemberDecorate || code == spv::OpTypeVoid;
+}
+
+void appendDecoration(std::vector<std::uint32_t>& spirv, std::uint32_t id) {
+  constexpr std::uint32_t kWords = 3;
+  spirv.insert(spirv.end(),
+               {(kWords << spv::WordCountShift) | spv::OpDecorate, id, spv::DecorationNoContraction});
+}
+
+std::vector<std::uint32_t> markExact(std::span<const std::uint32_t> spirv) {
+  if (spirv.size() < kHeaderWords || spirv[0] != spv::MagicNumber)
+    throw std::invalid_argument("this is no SPIR-V");
+  std::vector<std::uint32_t> rounded;
+  std::set<std::uint32_t> marked;
+  std::optional<std::size_t> decorations;
+  for (std::size_t at = kHeaderWords; at < spirv.size();) {
+    const std::size_t words = spirv[at] >> spv::WordCountShift;
+    const auto code = static_cast<spv::Op>(spirv[at] & spv::OpCodeMask);
+    if (words == 0 || words > spirv.size() - at) throw std::invalid_argument("this SPIR-V is cut off");
+    if (!decorations && beginsDecorations(code)) decorations = at;
+    if (code == spv::OpDecorate && spirv[at + 2] == spv::DecorationNoContraction)
+      marked.insert(spirv[at + 1]);
+    if (isRounded(code)) rounded.push_back(spirv[at + 2]);  // the result follows its type
+    at += words;
+  }
+  if (!decorations) throw std::invalid_argument("this SPIR-V declares nothing");
+  std::vector<std::uint32_t> exact(spirv.begin(), spirv.begin() + static_cast<std::ptrdiff_t>(*decorations));
+  for (const std::uint32_t id : rounded) {
+    if (!marked.contains(id)) appendDecoration(exact, id);
+  }
+  exact.insert(exact.end(), spirv.begin() + static_cast<std::ptrdiff_t>(*decorations), spirv.end());
+  return exact;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> finishShader(std::span<const std::uint32_t> spirv) {
+  const std::vector<std::uint32_t> exact = markExact(spirv);
+  std::string reason = "no reason given";
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
+  optimizer.SetMessageConsumer([&](spv_message_level_t /*level*/, const char* /*source*/,
+                                   const spv_position_t& /*position*/, const char* text) { reason = text; });
+  optimizer.RegisterSizePasses();
+  std::vector<std::uint32_t> optimized;
+  if (!optimizer.Run(exact.data(), exact.size(), &optimized)) {
+    throw std::runtime_error("the SPIR-V optimizer fails: " + reason);
+  }
+  return optimized;
+}
+
+}  // namespace lavaray

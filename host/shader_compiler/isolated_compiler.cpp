@@ -1,0 +1,119 @@
+#include "shader_compiler/isolated_compiler.hpp"
+
+#include <malloc.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "base/huge_pages.hpp"
+#include "base/text_location.hpp"
+
+namespace lavaray {
+namespace {
+
+// What the compiling process sends: records of a kind, a size and so many bytes.
+enum class Kind : std::uint8_t { kFile, kWarning, kSpirv, kError };
+
+struct Head {
+  Kind kind;
+  std::uint64_t size;
+};
+
+void sendRecord(const IsolatedWork::Send& send, Kind kind, std::string_view bytes) {
+  Head head{};
+  head.kind = kind;
+  head.size = bytes.size();
+  send({reinterpret_cast<const char*>(&head), sizeof head});
+  send(bytes);
+}
+
+// Empty at the end, and where the process ended in the middle of a record.
+std::optional<std::pair<Kind, std::string_view>> takeRecord(std::string_view& bytes) {
+  Head head{};
+  if (bytes.size() < sizeof head) return std::nullopt;
+  std::memcpy(&head, bytes.data(), sizeof head);
+  bytes.remove_prefix(sizeof head);
+  if (bytes.size() < head.size) return std::nullopt;
+  const std::string_view content = bytes.substr(0, head.size);
+  bytes.remove_prefix(head.size);
+  return std::pair{head.kind, content};
+}
+
+// The request is the directory, after a character that says for which scenes.
+std::string request(const std::filesystem::path& directory, bool forFewPrimitives) {
+  return (forFewPrimitives ? "f" : "a") + directory.native();
+}
+
+void compileRequested(const std::string& request, const IsolatedWork::Send& send) {
+  const std::filesystem::path directory = request.substr(1);
+  const auto sendFile = [&](const std::filesystem::path& file) {
+    sendRecord(send, Kind::kFile, file.native());
+  };
+  try {
+    const CompiledShader shader = compileRenderShader(directory, request[0] == 'f', sendFile);
+    for (const std::string& warning : shader.warnings) sendRecord(send, Kind::kWarning, warning);
+    sendRecord(send, Kind::kSpirv,
+               {reinterpret_cast<const char*>(shader.spirv.data()), 4 * shader.spirv.size()});
+  } catch (const ShaderError& error) {
+    sendRecord(send, Kind::kError, error.what());
+  }
+}
+
+// A new process has no memory that was used before: each small page of the some 30 MB for a shader would be a
+// fault, and these take a tenth of the time for compiling it. So its heap begins with memory that nobody has
+// touched yet and for which huge pages are asked; where that is refused, it does without.
+void prepare() {
+  prepareCompiler();
+  constexpr std::size_t kHeap = std::size_t{48} << 20U;
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  void* heap = std::malloc(kHeap);
+  if (heap != nullptr) preferHugePages(heap, kHeap);
+  std::free(heap);
+}
+
+}  // namespace
+
+IsolatedCompiler::IsolatedCompiler() : work_(prepare, compileRequested) {}
+
+CompiledShader IsolatedCompiler::compile(const std::filesystem::path& directory, bool forFewPrimitives) {
+  const IsolatedWork::Result result = work_.run(request(directory, forFewPrimitives));
+  CompiledShader shader;
+  std::optional<std::string> error;
+  std::string_view rest = result.sent;
+  while (const auto record = takeRecord(rest)) {
+    const auto& [kind, bytes] = *record;
+    switch (kind) {
+      case Kind::kFile:
+        shader.files.emplace_back(bytes);
+        break;
+      case Kind::kWarning:
+        shader.warnings.emplace_back(bytes);
+        break;
+      case Kind::kSpirv:
+        shader.spirv.resize(bytes.size() / 4);
+        std::memcpy(shader.spirv.data(), bytes.data(), bytes.size());
+        break;
+      case Kind::kError:
+        error = bytes;
+        break;
+    }
+  }
+  if (!result.failure.empty()) {
+    const std::filesystem::path source = directory / "render.comp";
+    if (shader.files.empty()) shader.files.push_back(source);
+    error =
+        printable(source.native()) + ": the shader compiler ended in the middle of it (" + result.failure +
+        "): if there is enough memory, that is a defect of the compiler, and another way to write the last "
+        "change may avoid it";
+  }
+  if (error) throw ShaderError(*error, std::move(shader.files));
+  return shader;
+}
+
+}  // namespace lavaray
