@@ -97,7 +97,8 @@ bool sameBytes(const std::vector<Element>& a, const std::vector<Element>& b) {
   return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
 }
 
-// With other lights, materials and planes the hierarchy stays, and all else is as if flattened anew.
+// With other lights, materials, planes and another lens the hierarchy stays, and all else is as if flattened
+// anew.
 TEST(Flatten, TakesUpAnotherShadingOfTheSameGeometry) {
   Scene scene = sceneWithMaterials(3);
   scene.spheres = {{{0, 0, -5}, 1.0, 0}, {{9, 0, -5}, 1.0, 1}};
@@ -111,6 +112,8 @@ TEST(Flatten, TakesUpAnotherShadingOfTheSameGeometry) {
   other.materials[1].reflectance = glm::dvec3(0.0);
   other.materials.resize(4);
   other.planes.push_back({{1, 0, 0}, {-4, 0, 0}, 3});
+  other.camera.focalLength = 50.0;
+  other.camera.aspect = 1.5;
   EXPECT_TRUE(sameGeometry(scene, other));
   flattenShading(other, flat);
   const GpuScene anew = flatten(other, 1);
@@ -119,6 +122,8 @@ TEST(Flatten, TakesUpAnotherShadingOfTheSameGeometry) {
   EXPECT_TRUE(sameBytes(flat.planes, anew.planes));
   EXPECT_TRUE(sameBytes(flat.lights, anew.lights));
   EXPECT_TRUE(sameBytes(flat.materials, anew.materials));
+  EXPECT_EQ(flat.imagePlane, anew.imagePlane);
+  EXPECT_EQ(flat.imagePlane, (ImagePlane{{85.0, 57.0}, 50.0}));
   EXPECT_FALSE(flat.hasMirrors);
   EXPECT_FALSE(flat.hasSphericalLights);
 

@@ -18,4 +18,9 @@ std::optional<ImageSize> imageSize(const Camera& camera) {
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
+ImagePlane imagePlane(const Camera& camera) {
+  const ImageSize size = imageSize(camera).value();
+  return {glm::dvec2(size.width, size.height), camera.focalLength};
+}
+
 }  // namespace lavaray

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bvh/bvh.hpp"
+#include "interface.h"
+#include "scene/camera.hpp"
+
+namespace lavaray {
+
+// The scene as the shaders read it: float32, in the coordinates of its Frame (frame.hpp). Getting there in
+// double precision keeps the full precision of coordinates near the camera, wherever the scene lies.
+struct GpuScene {
+  std::vector<gpu::BvhNode> nodes;                 // see WideBvh; empty where there are no primitives
+  std::uint32_t bvhDepth = 0;                      // inner nodes on the longest path
+  std::vector<gpu::Primitive> primitives;          // in the order of the BVH's leaves
+  std::vector<gpu::TrianglePlane> trianglePlanes;  // one per primitive if there is a triangle, else empty
+  std::vector<gpu::CornerNormal> cornerNormals;    // three for each triangle that has them
+  std::vector<gpu::Plane> planes;
+  std::vector<gpu::Light> lights;
+  std::vector<gpu::Material> materials;  // indexed by object
+  ImagePlane imagePlane{};               // in pixels of the camera, not in units of the Frame
+  bool hasFewPrimitives = false;         // see flatten.hpp; if so, spheres come before triangles
+  bool hasSpheres = false;
+  bool hasTriangles = false;
+  bool hasCornerNormals = false;
+  bool hasMirrors = false;
+  bool hasSphericalLights = false;
+  BvhQuality bvhQuality;
+  std::size_t droppedDuplicates = 0;  // primitives that coincide with another and can never be seen
+};
+
+}  // namespace lavaray
