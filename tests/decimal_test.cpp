@@ -1,4 +1,4 @@
-#include "base/decimal.hpp"
+#include "base/short_decimal.hpp"
 
 #include <bit>
 #include <charconv>

@@ -8,7 +8,7 @@
 
 #include <tiny_obj_loader.h>
 
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 #include "scene/triangulate.hpp"
 
 namespace lavaray {

@@ -1,4 +1,4 @@
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/parallel.hpp"
-#include "base/vector.hpp"
+#include "base/vector_math.hpp"
 #include "bvh/frame.hpp"
 #include "bvh/primitives.hpp"
 #include "bvh/wide_bvh.hpp"

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/vector.hpp"
+#include "base/vector_math.hpp"
 
 namespace lavaray {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/errors.hpp"
 #include "base/text_location.hpp"
-#include "base/vector.hpp"
+#include "base/vector_math.hpp"
 #include "bvh/frame.hpp"
 
 namespace lavaray {

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "bvh/reference.hpp"
+#include "bvh/primitive_reference.hpp"
 #include "interface.h"
 
 namespace lavaray {

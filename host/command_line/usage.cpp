@@ -10,7 +10,7 @@
 
 #include "base/errors.hpp"
 #include "base/limits.hpp"
-#include "base/numbers.hpp"
+#include "base/number_text.hpp"
 #include "base/text_location.hpp"
 #include "command_line/help.hpp"
 

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
-#include "base/numbers.hpp"
+#include "base/number_text.hpp"
 #include "image/image_file.hpp"
 
 namespace lavaray {

@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/file_claims.hpp"
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 
 namespace lavaray {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/limits.hpp"
-#include "base/numbers.hpp"
+#include "base/number_text.hpp"
 #include "base/text_location.hpp"
 
 namespace lavaray {

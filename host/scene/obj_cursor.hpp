@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/decimal.hpp"
+#include "base/short_decimal.hpp"
 #include "scene/obj_part.hpp"
 
 namespace lavaray {

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "base/limits.hpp"
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 #include "base/text_location.hpp"
-#include "base/vector.hpp"
+#include "base/vector_math.hpp"
 #include "scene/obj_cursor.hpp"
 
 namespace lavaray {

@@ -13,11 +13,11 @@
 
 #include "base/parallel.hpp"
 #include "base/text_blocks.hpp"
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 #include "base/text_location.hpp"
-#include "base/vector.hpp"
-#include "scene/obj_faces.hpp"
+#include "base/vector_math.hpp"
 #include "scene/obj_part.hpp"
+#include "scene/obj_triangles.hpp"
 
 namespace lavaray {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include "base/numbers.hpp"
-#include "base/text_file.hpp"
+#include "base/number_text.hpp"
+#include "base/text_lines.hpp"
 
 namespace lavaray {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/errors.hpp"
 #include "base/limits.hpp"
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 #include "base/text_location.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene_block.hpp"

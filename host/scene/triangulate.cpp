@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "base/vector.hpp"
+#include "base/vector_math.hpp"
 
 namespace lavaray {
 namespace {

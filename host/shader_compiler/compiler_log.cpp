@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 
 namespace lavaray {
 namespace {

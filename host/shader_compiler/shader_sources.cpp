@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 #include "base/text_location.hpp"
 
 namespace lavaray {

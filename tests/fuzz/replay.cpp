@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/text_file.hpp"
+#include "base/text_lines.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "base/numbers.hpp"
+#include "base/number_text.hpp"
 
 namespace lavaray {
 namespace {

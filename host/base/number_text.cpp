@@ -1,4 +1,4 @@
-#include "base/numbers.hpp"
+#include "base/number_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "scene/obj_faces.hpp"
+#include "scene/obj_triangles.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/text_location.hpp"
-#include "base/vector.hpp"
+#include "base/vector_math.hpp"
 #include "scene/triangulate.hpp"
 
 namespace lavaray {
