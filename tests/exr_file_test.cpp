@@ -1,5 +1,5 @@
 // EXR files, as this program writes them and as others do.
-#include "image/exr_file.hpp"
+#include "image/exr_writer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@
 #include <ImfTiledOutputFile.h>
 
 #include "base/errors.hpp"
-#include "image/image_file.hpp"
+#include "image/image_writer.hpp"
 #include "image/row_writer.hpp"
 #include "input_files.hpp"
 

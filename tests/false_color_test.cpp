@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "image/perceptual_color.hpp"
+#include "image/color_spaces.hpp"
 
 namespace lavaray {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "film/film_file.hpp"
 #include "film/merge.hpp"
-#include "image/image_file.hpp"
+#include "image/image_writer.hpp"
 #include "image/row_writer.hpp"
 
 namespace lavaray {

@@ -14,8 +14,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "image/perceived_difference.hpp"
-#include "image/perceptual_color.hpp"
+#include "image/color_spaces.hpp"
+#include "image/mean_flip.hpp"
 
 namespace lavaray {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "image/image_file.hpp"
-#include "image/png_file.hpp"
+#include "image/image_writer.hpp"
+#include "image/png_writer.hpp"
 #include "input_files.hpp"
 
 namespace lavaray {

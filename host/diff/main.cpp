@@ -16,8 +16,8 @@
 #include "command_line/usage.hpp"
 #include "command_line/version.hpp"
 #include "image/difference.hpp"
-#include "image/image_file.hpp"
-#include "image/perceived_difference.hpp"
+#include "image/image_writer.hpp"
+#include "image/mean_flip.hpp"
 
 namespace lavaray {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/image_bytes.hpp"
+#include "image/encoded_image.hpp"
 
 namespace lavaray {
 

@@ -21,10 +21,10 @@
 
 #include "base/errors.hpp"
 #include "base/limits.hpp"
+#include "image/color_spaces.hpp"
+#include "image/encoded_image.hpp"
 #include "image/exr_common.hpp"
-#include "image/exr_file.hpp"
-#include "image/image_bytes.hpp"
-#include "image/perceptual_color.hpp"
+#include "image/exr_writer.hpp"
 
 namespace lavaray {
 namespace {

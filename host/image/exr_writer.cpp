@@ -16,10 +16,10 @@
 #include <half.h>
 
 #include "base/errors.hpp"
+#include "image/color_spaces.hpp"
 #include "image/exr_common.hpp"
-#include "image/exr_file.hpp"
-#include "image/image_file.hpp"
-#include "image/perceptual_color.hpp"
+#include "image/exr_writer.hpp"
+#include "image/image_writer.hpp"
 
 namespace lavaray {
 namespace {

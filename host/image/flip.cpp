@@ -9,8 +9,8 @@
 #include <glm/vec3.hpp>
 
 #include "base/parallel.hpp"
+#include "image/color_spaces.hpp"
 #include "image/flip_filters.hpp"
-#include "image/perceptual_color.hpp"
 
 namespace lavaray {
 namespace {

@@ -10,12 +10,12 @@
 #include <system_error>
 
 #include "base/file_claims.hpp"
-#include "image/bmp_file.hpp"
-#include "image/exr_file.hpp"
-#include "image/image_bytes.hpp"
-#include "image/image_file.hpp"
-#include "image/png_file.hpp"
-#include "image/pnm_file.hpp"
+#include "image/bmp_reader.hpp"
+#include "image/encoded_image.hpp"
+#include "image/exr_writer.hpp"
+#include "image/image_writer.hpp"
+#include "image/png_writer.hpp"
+#include "image/pnm_reader.hpp"
 
 namespace lavaray {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "image/exr_file.hpp"
-#include "image/image_file.hpp"
+#include "image/exr_writer.hpp"
+#include "image/image_writer.hpp"
 
 namespace lavaray {
 

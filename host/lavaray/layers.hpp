@@ -7,7 +7,7 @@
 
 #include "base/output_file.hpp"
 #include "bvh/flatten.hpp"
-#include "image/exr_file.hpp"
+#include "image/exr_writer.hpp"
 #include "lavaray/options.hpp"
 #include "render/layer.hpp"
 #include "render/renderer.hpp"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "image/png_file.hpp"
+#include "image/png_writer.hpp"
 #include "lavaray/options.hpp"
 #include "render/renderer.hpp"
 

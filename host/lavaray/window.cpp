@@ -14,7 +14,7 @@
 #include <CImg.h>
 
 #include "base/errors.hpp"
-#include "image/image_file.hpp"
+#include "image/image_writer.hpp"
 
 namespace lavaray {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/errors.hpp"
 #include "fuzz/checks.hpp"
-#include "image/image_file.hpp"
+#include "image/image_writer.hpp"
 
 namespace lavaray::fuzz {
 namespace {

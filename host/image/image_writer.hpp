@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "image/image.hpp"
-#include "image/png_file.hpp"
+#include "image/png_writer.hpp"
 
 namespace lavaray {
 

@@ -1,11 +1,11 @@
-#include "image/perceived_difference.hpp"
+#include "image/mean_flip.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "image/difference.hpp"
 #include "image/flip.hpp"
-#include "image/image_file.hpp"
+#include "image/image_writer.hpp"
 
 namespace lavaray {
 namespace {

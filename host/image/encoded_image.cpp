@@ -1,4 +1,4 @@
-#include "image/image_bytes.hpp"
+#include "image/encoded_image.hpp"
 
 #include "base/errors.hpp"
 #include "base/printable.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "image/encoded_image.hpp"
 #include "image/image.hpp"
-#include "image/image_bytes.hpp"
 
 namespace lavaray {
 

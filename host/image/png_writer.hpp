@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "image/encoded_image.hpp"
 #include "image/image.hpp"
-#include "image/image_bytes.hpp"
 
 namespace lavaray {
 

@@ -1,4 +1,4 @@
-#include "image/png_file.hpp"
+#include "image/png_writer.hpp"
 
 #include <png.h>
 
@@ -16,7 +16,7 @@
 
 #include "base/errors.hpp"
 #include "base/number_text.hpp"
-#include "image/image_file.hpp"
+#include "image/image_writer.hpp"
 
 namespace lavaray {
 namespace {

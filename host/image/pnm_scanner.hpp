@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "image/image_bytes.hpp"
+#include "image/encoded_image.hpp"
 
 namespace lavaray {
 

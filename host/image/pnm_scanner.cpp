@@ -1,4 +1,4 @@
-#include "image/pnm_words.hpp"
+#include "image/pnm_scanner.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "base/text_location.hpp"
-#include "image/pnm_file.hpp"
-#include "image/pnm_words.hpp"
+#include "image/pnm_reader.hpp"
+#include "image/pnm_scanner.hpp"
 
 namespace lavaray {
 namespace {

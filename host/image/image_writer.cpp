@@ -1,4 +1,4 @@
-#include "image/image_file.hpp"
+#include "image/image_writer.hpp"
 
 #include <algorithm>
 #include <cctype>

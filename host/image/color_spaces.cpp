@@ -1,4 +1,4 @@
-#include "image/perceptual_color.hpp"
+#include "image/color_spaces.hpp"
 
 #include <cmath>
 

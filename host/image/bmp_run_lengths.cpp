@@ -1,4 +1,4 @@
-#include "image/bmp_runs.hpp"
+#include "image/bmp_run_lengths.hpp"
 
 #include <utility>
 

@@ -1,8 +1,8 @@
-#include "image/pnm_file.hpp"
+#include "image/pnm_reader.hpp"
 
 #include <string>
 
-#include "image/pnm_words.hpp"
+#include "image/pnm_scanner.hpp"
 
 namespace lavaray {
 namespace {

@@ -1,9 +1,9 @@
-#include "image/bmp_file.hpp"
+#include "image/bmp_reader.hpp"
 
 #include <string>
 
 #include "image/bmp_header.hpp"
-#include "image/bmp_runs.hpp"
+#include "image/bmp_run_lengths.hpp"
 
 namespace lavaray {
 namespace {

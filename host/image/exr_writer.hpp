@@ -5,8 +5,8 @@
 #include <memory>
 #include <span>
 
+#include "image/encoded_image.hpp"
 #include "image/image.hpp"
-#include "image/image_bytes.hpp"
 
 namespace lavaray {
 
