@@ -27,6 +27,7 @@
 #include <ImfTiledOutputFile.h>
 
 #include "base/errors.hpp"
+#include "image/image_reader.hpp"
 #include "image/image_writer.hpp"
 #include "image/row_writer.hpp"
 #include "input_files.hpp"

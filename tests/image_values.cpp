@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
-#include "image/image_writer.hpp"
+#include "image/image_reader.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "image/image_writer.hpp"
+#include "image/image_reader.hpp"
 #include "image/png_writer.hpp"
 #include "input_files.hpp"
 

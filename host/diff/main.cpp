@@ -16,6 +16,7 @@
 #include "command_line/usage.hpp"
 #include "command_line/version.hpp"
 #include "image/difference.hpp"
+#include "image/image_reader.hpp"
 #include "image/image_writer.hpp"
 #include "image/mean_flip.hpp"
 

@@ -9,6 +9,9 @@
 namespace lavaray {
 
 // What reading and writing EXR files have in common.
+//
+// EXR files hold linear light: a viewer shows 0.214 as it shows a PNG's 0.5. So colours, which are what a
+// display is sent (sRGB), are decoded when they are written, and encoded when they are read.
 
 // OpenEXR's threads are the process's, and rendering has its own.
 inline constexpr int kNoExrThreads = 0;

@@ -1,3 +1,5 @@
+#include "image/exr_reader.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -22,9 +24,7 @@
 #include "base/errors.hpp"
 #include "base/limits.hpp"
 #include "image/color_spaces.hpp"
-#include "image/encoded_image.hpp"
 #include "image/exr_common.hpp"
-#include "image/exr_writer.hpp"
 
 namespace lavaray {
 namespace {

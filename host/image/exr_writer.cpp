@@ -1,3 +1,5 @@
+#include "image/exr_writer.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -18,8 +20,6 @@
 #include "base/errors.hpp"
 #include "image/color_spaces.hpp"
 #include "image/exr_common.hpp"
-#include "image/exr_writer.hpp"
-#include "image/image_writer.hpp"
 
 namespace lavaray {
 namespace {

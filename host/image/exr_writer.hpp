@@ -5,13 +5,9 @@
 #include <memory>
 #include <span>
 
-#include "image/encoded_image.hpp"
 #include "image/image.hpp"
 
 namespace lavaray {
-
-// EXR files hold linear light: a viewer shows 0.214 as it shows a PNG's 0.5. So colours, which are what a
-// display is sent (sRGB), are decoded when they are written, and encoded when they are read.
 
 // Writes an EXR file row by row from the top: scan lines, compressed by ZIP, channels R, G, B or one channel
 // Y, by which name most readers take it for grey. The texts become attributes of its header. In 32 bits a
@@ -40,9 +36,5 @@ class ExrWriter {
 
   std::unique_ptr<File> file_;
 };
-
-// The picture in a file of R, G, B, or of Y alone, which is grey, and of A, of any compression and precision,
-// in scan lines or tiles. Fails for all else.
-Image readExr(const ImageBytes& file);
 
 }  // namespace lavaray

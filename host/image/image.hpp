@@ -37,6 +37,11 @@ struct Image {
 // 0.
 float normalize(Image& image);
 
+// The 8-bit level of a value in [0, 1].
+inline std::uint8_t toByte(float value) {
+  return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
+}
+
 // The part of the image inside the rectangle, which lies within it.
 Image crop(const Image& image, const Rectangle& part);
 

@@ -1,4 +1,5 @@
-#include <algorithm>
+#include "image/image_reader.hpp"
+
 #include <array>
 #include <cctype>
 #include <cerrno>
@@ -12,9 +13,10 @@
 #include "base/file_claims.hpp"
 #include "image/bmp_reader.hpp"
 #include "image/encoded_image.hpp"
-#include "image/exr_writer.hpp"
-#include "image/image_writer.hpp"
-#include "image/png_writer.hpp"
+#include "image/exr_reader.hpp"
+#include "image/image_format.hpp"
+#include "image/pfm_reader.hpp"
+#include "image/png_reader.hpp"
 #include "image/pnm_reader.hpp"
 
 namespace lavaray {
@@ -97,16 +99,9 @@ const Format& formatOf(const ImageBytes& file) {
   file.fail("is no image that can be read; " + std::string(kAllowed));
 }
 
-std::string lowerCaseEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 // An ending that says another format than that of the file's bytes is no error, but worth a word.
 void noteFalseEnding(const std::filesystem::path& file, const Format& format, ImageSource& source) {
-  const std::string ending = lowerCaseEnding(file) + " ";
+  const std::string ending = lowerCaseExtension(file) + " ";
   if (format.endings.find(ending) != std::string_view::npos) return;
   for (const Format& other : kFormats) {
     if (ending.size() > 1 && other.endings.find(ending) != std::string_view::npos) {

@@ -1,8 +1,6 @@
 #include "image/image_writer.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <cstdio>
+#include <span>
 
 #define cimg_display 0
 #define cimg_verbosity 0
@@ -29,45 +27,6 @@ CImg<Value> planar(const Image& image, const Convert& convert) {
 }
 
 }  // namespace
-
-std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".bmp") return ImageFormat::kBmp;
-  if (ending == ".png") return ImageFormat::kPng;
-  if (ending == ".ppm") return ImageFormat::kPpm;
-  if (ending == ".pfm") return ImageFormat::kPfm;
-  if (ending == ".exr") return ImageFormat::kExr;
-  return std::nullopt;
-}
-
-void checkBmpSize(int width, int height) {
-  const std::uint64_t row = (std::uint64_t{3} * width + 3) / 4 * 4;
-  const std::uint64_t bytes = 54 + row * height;
-  if (bytes <= 0xFFFFFFFFU) return;
-  throw Error(ExitCode::kOutput,
-              "a BMP file of " + std::to_string(width) + " x " + std::to_string(height) +
-                  " pixels would take " + std::to_string(bytes) +
-                  " bytes, at most 4294967295 are allowed; write .png, .ppm, .pfm or .exr");
-}
-
-std::string formatName(ImageFormat format) {
-  switch (format) {
-    case ImageFormat::kBmp:
-      return "BMP";
-    case ImageFormat::kPng:
-      return "PNG";
-    case ImageFormat::kPpm:
-      return "PPM";
-    case ImageFormat::kExr:
-    case ImageFormat::kExrHalf:
-      return "EXR";
-    case ImageFormat::kPfm:
-      break;
-  }
-  return "PFM";
-}
 
 void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const TextEntries& texts) {
   if (format == ImageFormat::kBmp) checkBmpSize(image.width, image.height);

@@ -5,7 +5,6 @@
 
 #include "image/difference.hpp"
 #include "image/flip.hpp"
-#include "image/image_writer.hpp"
 
 namespace lavaray {
 namespace {

@@ -1,3 +1,5 @@
+#include "image/pfm_reader.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -6,7 +8,6 @@
 #include <system_error>
 
 #include "base/text_location.hpp"
-#include "image/pnm_reader.hpp"
 #include "image/pnm_scanner.hpp"
 
 namespace lavaray {

@@ -9,7 +9,4 @@ namespace lavaray {
 // from 1 to 65535. A grey image has three equal channels. Throws Error(kInput).
 Image readPnm(const ImageBytes& file);
 
-// PFM, in colour (PF) and grey (Pf), of either byte order, with a scale of 1. Throws Error(kInput).
-Image readPfm(const ImageBytes& file);
-
 }  // namespace lavaray

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "image/exr_writer.hpp"
-#include "image/image_writer.hpp"
+#include "image/image_format.hpp"
+#include "image/png_writer.hpp"
 
 namespace lavaray {
 

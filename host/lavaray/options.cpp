@@ -13,7 +13,7 @@
 #include "base/limits.hpp"
 #include "command_line/usage.hpp"
 #include "command_line/version.hpp"
-#include "image/image_writer.hpp"
+#include "image/image_format.hpp"
 #include "lavaray/layers.hpp"
 
 namespace lavaray {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "image/png_writer.hpp"
+#include "image/image.hpp"
 #include "lavaray/options.hpp"
 #include "render/renderer.hpp"
 

@@ -14,7 +14,6 @@
 #include <CImg.h>
 
 #include "base/errors.hpp"
-#include "image/image_writer.hpp"
 
 namespace lavaray {
 namespace {

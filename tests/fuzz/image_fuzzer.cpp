@@ -7,7 +7,7 @@
 
 #include "base/errors.hpp"
 #include "fuzz/checks.hpp"
-#include "image/image_writer.hpp"
+#include "image/image_reader.hpp"
 
 namespace lavaray::fuzz {
 namespace {

@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "gpu/render_scene.hpp"
-#include "image/image_writer.hpp"
+#include "image/image_reader.hpp"
 #include "image_compare.hpp"
 #include "oracle/oracle.hpp"
 #include "scene/scene_reader.hpp"

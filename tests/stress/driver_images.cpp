@@ -11,7 +11,7 @@
 
 #include "gpu/render_scene.hpp"
 #include "gpu/test_device.hpp"
-#include "image/image_writer.hpp"
+#include "image/image.hpp"
 #include "image_compare.hpp"
 #include "oracle/oracle.hpp"
 #include "scene/scene_reader.hpp"

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "image/encoded_image.hpp"
+#include "image/image.hpp"
+
+namespace lavaray {
+
+// PFM in colour (PF) or grey (Pf), of either byte order, with a scale of 1. Throws Error(kInput).
+Image readPfm(const ImageBytes& file);
+
+}  // namespace lavaray
