@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/text_lines.hpp"
+#include "base/byte_reader.hpp"
 #include "random_numbers.hpp"
 #include "scene/obj_reader.hpp"
 

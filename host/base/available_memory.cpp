@@ -45,20 +45,20 @@ std::uint64_t kibibytes(const char* file, const char* word) {
   return 1024 * entry(file, word).value_or(0);
 }
 
-void tighten(MemoryRoom& room, std::uint64_t bytes, const char* limit) {
-  if (bytes < room.bytes) room = {bytes, limit};
+void tighten(AvailableMemory& available, std::uint64_t bytes, const char* limit) {
+  if (bytes < available.bytes) available = {bytes, limit};
 }
 
-void tightenByLimit(MemoryRoom& room, int resource, const char* used, const char* text) {
+void tightenByLimit(AvailableMemory& available, int resource, const char* used, const char* text) {
   rlimit limit{};
   if (getrlimit(static_cast<__rlimit_resource>(resource), &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
     return;
-  tighten(room, difference(limit.rlim_cur, kibibytes("/proc/self/status", used)), text);
+  tighten(available, difference(limit.rlim_cur, kibibytes("/proc/self/status", used)), text);
 }
 
 // Of a group and of those that it is in; a group may be seen under another path than its own in a container,
 // where the mount's root is the group. What the system has read ahead of files it gives back.
-void tightenByGroups(MemoryRoom& room, const fs::path& mount, fs::path group, bool isVersion2,
+void tightenByGroups(AvailableMemory& available, const fs::path& mount, fs::path group, bool isVersion2,
                      std::uint64_t swap) {
   for (group = group.relative_path();; group = group.parent_path()) {
     const fs::path folder = mount / group;
@@ -70,7 +70,7 @@ void tightenByGroups(MemoryRoom& room, const fs::path& mount, fs::path group, bo
       std::uint64_t files = 0;
       for (const char* kind : {"inactive_file", "active_file"})
         files += entry(folder / "memory.stat", std::string(prefix) + kind).value_or(0);
-      tighten(room, difference(*limit, difference(used, files)) + swap,
+      tighten(available, difference(*limit, difference(used, files)) + swap,
               "the limit of this control group (container or job) leaves");
     }
     if (group.empty()) return;
@@ -79,13 +79,13 @@ void tightenByGroups(MemoryRoom& room, const fs::path& mount, fs::path group, bo
 
 }  // namespace
 
-MemoryRoom memoryRoom() {
+AvailableMemory availableMemory() {
   const std::uint64_t swap = kibibytes("/proc/meminfo", "SwapFree:");
-  MemoryRoom room{kNoLimit, {}};
+  AvailableMemory result{kNoLimit, {}};
   if (const auto available = entry("/proc/meminfo", "MemAvailable:"))
-    tighten(room, 1024 * *available + swap, "this machine has left");
-  tightenByLimit(room, RLIMIT_AS, "VmSize:", "the limit of this process (ulimit -v) leaves");
-  tightenByLimit(room, RLIMIT_DATA, "VmData:", "the limit of this process (ulimit -d) leaves");
+    tighten(result, 1024 * *available + swap, "this machine has left");
+  tightenByLimit(result, RLIMIT_AS, "VmSize:", "the limit of this process (ulimit -v) leaves");
+  tightenByLimit(result, RLIMIT_DATA, "VmData:", "the limit of this process (ulimit -d) leaves");
   std::ifstream groups("/proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {
     // Like `0::/user.slice`, or `4:memory:/job` in version 1.
@@ -94,11 +94,11 @@ MemoryRoom memoryRoom() {
     if (second == std::string::npos) continue;
     const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
     const std::string group = line.substr(second + 1);
-    if (controllers == ",,") tightenByGroups(room, "/sys/fs/cgroup", group, true, swap);
+    if (controllers == ",,") tightenByGroups(result, "/sys/fs/cgroup", group, true, swap);
     if (controllers.find(",memory,") != std::string::npos)
-      tightenByGroups(room, "/sys/fs/cgroup/memory", group, false, swap);
+      tightenByGroups(result, "/sys/fs/cgroup/memory", group, false, swap);
   }
-  return room;
+  return result;
 }
 
 std::string inGigabytes(std::uint64_t bytes) {

@@ -1,10 +1,7 @@
 #include "base/text_lines.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <system_error>
 
-#include "base/file_claims.hpp"
 #include "base/text_location.hpp"
 
 namespace lavaray {
@@ -13,50 +10,7 @@ namespace {
 constexpr std::string_view kWhiteSpace = " \t";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-[[noreturn]] void throwSystemError() {
-  throw std::system_error(errno, std::generic_category());
-}
-
 }  // namespace
-
-ByteReader::ByteReader(const std::filesystem::path& file) {
-  noteRead(file);
-  stream_.reset(std::fopen(file.c_str(), "rb"));
-  if (!stream_) throwSystemError();
-}
-
-ByteReader::ByteReader(std::FILE* stream) : stream_(stream) {
-  if (!stream_) throwSystemError();
-}
-
-std::size_t ByteReader::read(std::span<char> bytes) {
-  const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stream_.get());
-  if (count < bytes.size() && std::ferror(stream_.get()) != 0) throwSystemError();
-  return count;
-}
-
-std::string readFile(const std::filesystem::path& file) {
-  ByteReader reader(file);
-  // The size is a hint only: a pipe has none, and a folder is found out by the first read.
-  std::error_code noSize;
-  const std::uintmax_t size = std::filesystem::file_size(file, noSize);
-  return readAll(reader, noSize ? 0 : static_cast<std::size_t>(size));
-}
-
-std::string readAll(ByteReader& reader, std::size_t size) {
-  constexpr std::size_t kChunk = 1 << 16;
-  std::string text;
-  text.reserve(size + kChunk);
-  std::size_t length = 0;
-  for (;;) {
-    text.resize(length + kChunk);
-    const std::size_t count = reader.read(std::span(text).subspan(length, kChunk));
-    length += count;
-    if (count < kChunk) break;
-  }
-  text.resize(length);
-  return text;
-}
 
 void rejectNulBytes(std::string_view text, const std::filesystem::path& file) {
   const std::size_t position = text.find('\0');

@@ -1,38 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <span>
-#include <string>
 #include <string_view>
 
 #include "base/text_location.hpp"
 
 namespace lavaray {
-
-// Reads a file's bytes one after the other. Throws std::system_error with the system's reason where that
-// cannot be.
-class ByteReader {
- public:
-  explicit ByteReader(const std::filesystem::path& file);
-  // Takes over a stream that was just opened; null where that failed.
-  explicit ByteReader(std::FILE* stream);
-  // How many bytes it filled: all, or those that were left.
-  std::size_t read(std::span<char> bytes);
-
- private:
-  struct Close {
-    void operator()(std::FILE* stream) const { std::fclose(stream); }
-  };
-  std::unique_ptr<std::FILE, Close> stream_;
-};
-
-// The bytes of a file. Throws std::system_error with the system's reason where it cannot be read.
-std::string readFile(const std::filesystem::path& file);
-// Likewise all that is left for the reader; about `size` bytes, where that is known.
-std::string readAll(ByteReader& reader, std::size_t size = 0);
 
 // Throws Error(kInput) at the line of the first NUL byte. What has one is no text, or text in UTF-16.
 void rejectNulBytes(std::string_view text, const std::filesystem::path& file);

@@ -18,7 +18,7 @@ std::string quoted(std::string_view text) {
   return '"' + printable(text.substr(0, kLongest)) + (text.size() > kLongest ? "...\"" : "\"");
 }
 
-std::string ticked(std::string_view word) {
+std::string backticked(std::string_view word) {
   std::string result = "`";
   result += word;
   return result + "`";

@@ -25,6 +25,6 @@ std::string messageAt(const TextLocation& location, std::string_view message);
 std::string quoted(std::string_view text);
 
 // A word of the file format, set off from the sentence around it.
-std::string ticked(std::string_view word);
+std::string backticked(std::string_view word);
 
 }  // namespace lavaray

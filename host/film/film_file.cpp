@@ -11,9 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/byte_reader.hpp"
 #include "base/errors.hpp"
 #include "base/file_claims.hpp"
-#include "base/text_lines.hpp"
 #include "interface.h"
 
 namespace lavaray {

@@ -57,7 +57,7 @@ bool takesLongToWrite(const Rectangle& part) {
 // Before the first ray: later, all that was rendered would be lost.
 void checkMemory(const RenderSettings& settings, bool canBeCropped) {
   const std::uint64_t needed = hostBytes(settings);
-  const MemoryRoom room = memoryRoom();
+  const AvailableMemory room = availableMemory();
   if (needed <= room.bytes) return;
   const Rectangle& part = settings.crop;
   const bool isOneSample = settings.samples == 1 && !settings.targetError;

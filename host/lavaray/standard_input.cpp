@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <system_error>
 
+#include "base/byte_reader.hpp"
 #include "base/errors.hpp"
 #include "base/file_claims.hpp"
-#include "base/text_lines.hpp"
 
 namespace lavaray {
 namespace {

@@ -70,8 +70,8 @@ class PartReader {
       if (!allowed.empty()) allowed += number == *(allowedCounts.end() - 1) ? " or " : ", ";
       allowed += std::to_string(number);
     }
-    throw ObjProblem{line_,
-                     ticked(keyword) + " has " + std::to_string(count) + " numbers, allowed are " + allowed};
+    throw ObjProblem{
+        line_, backticked(keyword) + " has " + std::to_string(count) + " numbers, allowed are " + allowed};
   }
 
   void readFace() {

@@ -189,8 +189,7 @@ Mesh readObj(const std::filesystem::path& file) {
     try {
       return read();
     } catch (const std::system_error& error) {
-      throw UnreadableFile(ExitCode::kInput,
-                           printable(file.native()) + ": cannot be read: " + error.code().message());
+      failUnreadable(file, error);
     }
   };
   ByteReader reader = orUnreadable([&] { return ByteReader(file); });

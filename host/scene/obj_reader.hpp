@@ -4,15 +4,10 @@
 #include <filesystem>
 #include <string_view>
 
-#include "base/errors.hpp"
+#include "base/byte_reader.hpp"
 #include "scene/scene.hpp"
 
 namespace lavaray {
-
-// The file is not there or cannot be read. The scene reader reports it at the line that names the file.
-class UnreadableFile : public Error {
-  using Error::Error;
-};
 
 // Reads a Wavefront OBJ: positions, normals and faces, polygons triangulated by ear clipping, degenerate
 // triangles dropped and counted. Everything else in the file (texture coordinates, groups, materials) is

@@ -85,8 +85,8 @@ std::array<double, 3> readNumbers(const KeyRule& rule, std::string_view value, c
     ++count;
   }
   if (count != rule.count) {
-    failAt(location, ticked(rule.key) + " has " + std::to_string(count) + " numbers, allowed are exactly " +
-                         std::to_string(rule.count));
+    failAt(location, backticked(rule.key) + " has " + std::to_string(count) +
+                         " numbers, allowed are exactly " + std::to_string(rule.count));
   }
   return numbers;
 }
@@ -95,7 +95,8 @@ void checkRange(const KeyRule& rule, std::span<const double> numbers, const Text
   const auto check = [&](auto isAllowed, std::string_view allowed) {
     const auto bad = std::ranges::find_if_not(numbers, isAllowed);
     if (bad == numbers.end()) return;
-    failAt(location, ticked(rule.key) + " is " + numberText(*bad) + ", allowed is " + std::string(allowed));
+    failAt(location,
+           backticked(rule.key) + " is " + numberText(*bad) + ", allowed is " + std::string(allowed));
   };
   switch (rule.rule) {
     case Rule::kNotNegative:
@@ -106,7 +107,7 @@ void checkRange(const KeyRule& rule, std::span<const double> numbers, const Text
       return check([](double x) { return x > 0.0 && x < 180.0; }, "more than 0 and less than 180");
     case Rule::kNotZero:
       if (std::ranges::any_of(numbers, [](double x) { return x != 0.0; })) return;
-      failAt(location, ticked(rule.key) + " is 0 0 0, allowed is any other vector");
+      failAt(location, backticked(rule.key) + " is 0 0 0, allowed is any other vector");
     case Rule::kAny:
     case Rule::kFileName:
       return;
@@ -151,7 +152,7 @@ void Block::add(std::string_view key, std::string_view value, const TextLocation
                          allowedKeys(kind_));
   }
   if (const Entry* earlier = find(key)) {
-    failAt(location, ticked(key) + " is repeated, allowed once in a " + std::string(kindWord) +
+    failAt(location, backticked(key) + " is repeated, allowed once in a " + std::string(kindWord) +
                          " (it is in line " + std::to_string(earlier->line) + ")");
   }
   rejectTwoColours(key, location);
@@ -169,8 +170,8 @@ void Block::rejectTwoColours(std::string_view key, const TextLocation& location)
   if (kind_ != ObjectKind::kLight) return;
   for (const std::string_view colour : {"amb", "dif", "spe"}) {
     if ((key == "col" && has(colour)) || (key == colour && has("col"))) {
-      failAt(location,
-             "`col` together with " + ticked(colour) + ", allowed is either `col` or `amb`, `dif`, `spe`");
+      failAt(location, "`col` together with " + backticked(colour) +
+                           ", allowed is either `col` or `amb`, `dif`, `spe`");
     }
   }
 }

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/errors.hpp"
+#include "base/byte_reader.hpp"
 #include "base/limits.hpp"
 #include "base/text_lines.hpp"
 #include "base/text_location.hpp"
@@ -208,7 +208,7 @@ std::string readText(const std::filesystem::path& file) {
   try {
     return readFile(file);
   } catch (const std::system_error& error) {
-    throw Error(ExitCode::kInput, printable(file.native()) + ": cannot be read: " + error.code().message());
+    failUnreadable(file, error);
   }
 }
 

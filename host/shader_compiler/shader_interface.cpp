@@ -109,7 +109,7 @@ class Comparison {
     if (!size) {
       misfits_.push_back({name, "the size of push constants must not depend on specialization constants"});
     } else if (*size > sizeof(gpu::DispatchConstants)) {
-      misfits_.push_back({name, ticked(name) + " has " + std::to_string(*size) +
+      misfits_.push_back({name, backticked(name) + " has " + std::to_string(*size) +
                                     " bytes of push constants, the program's have " +
                                     std::to_string(sizeof(gpu::DispatchConstants))});
     }
@@ -129,7 +129,7 @@ class Comparison {
   void compareBinding(std::uint32_t id, const std::string& name, bool isStorage, bool isTexels) {
     const auto set = module_.decoration(id, spv::DecorationDescriptorSet).value_or(0);
     const auto binding = module_.decoration(id, spv::DecorationBinding).value_or(0);
-    const std::string subject = ticked(name) + " is binding " + std::to_string(binding);
+    const std::string subject = backticked(name) + " is binding " + std::to_string(binding);
     if (set != 0) {
       misfits_.push_back(
           {name, subject + " of descriptor set " + std::to_string(set) + ", the program has set 0 only"});
@@ -151,11 +151,11 @@ class Comparison {
         type.code == spv::OpTypeBool || (type.code == spv::OpTypeInt && type.operands[0] == 32);
     const std::string name = module_.name(id);
     if (*number >= gpu::kSpecCount) {
-      misfits_.push_back({name, ticked(name) + " is specialization constant " + std::to_string(*number) +
+      misfits_.push_back({name, backticked(name) + " is specialization constant " + std::to_string(*number) +
                                     ", the program has 0 to " + std::to_string(gpu::kSpecCount - 1) +
                                     " only"});
     } else if (!isWord) {
-      misfits_.push_back({name, ticked(name) + " is specialization constant " + std::to_string(*number) +
+      misfits_.push_back({name, backticked(name) + " is specialization constant " + std::to_string(*number) +
                                     ", which is a bool or an integer of 32 bits in the program"});
     }
   }

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/byte_reader.hpp"
 #include "base/errors.hpp"
 #include "base/text_lines.hpp"
 #include "base/text_location.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/text_lines.hpp"
+#include "base/byte_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
