@@ -177,7 +177,7 @@ TEST(ExrFile, NumbersAndTextsComeBack) {
   const float infinity = std::numeric_limits<float>::infinity();
   const std::vector<float> numbers = {0.0F, -1.0F, 1e30F, infinity, 16777215.0F, 0.1F};
   std::FILE* stream = std::fopen(file.c_str(), "wb");
-  ExrWriter writer(3, 2, 1, ExrWriter::kFloat, texts, stream);
+  ExrWriter writer(3, 2, 1, ExrWriter::Precision::kFloat, texts, stream);
   writer.writeNumbers(std::span(numbers).first(4));
   writer.writeNumbers(std::span(numbers).subspan(4));
   writer.finish();

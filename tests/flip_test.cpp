@@ -163,10 +163,10 @@ TEST(Flip, IsThatOfThePaper) {
 
 TEST(Flip, IsZeroForEqualImagesOnly) {
   const Image image = noise(50, 70, 4, 1.0F);
-  EXPECT_EQ(perceivedDifference(image, image, 1), 0.0);
+  EXPECT_EQ(meanFlip(image, image, 1), 0.0);
   Image other = image;
   other.rgb[300] = other.rgb[300] > 0.5F ? 0.0F : 1.0F;
-  EXPECT_GT(perceivedDifference(image, other, 1), 0.0);
+  EXPECT_GT(meanFlip(image, other, 1), 0.0);
 }
 
 TEST(Flip, IsOneForTheMostDifferentColors) {

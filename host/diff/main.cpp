@@ -180,7 +180,7 @@ ExitCode diff(const DiffOptions& options) {
   // T.
   const double tolerance = options.tolerance.value_or(0.0) / 255.0;
   const Difference difference = compare(image, reference, tolerance > 0.0 ? tolerance + 0x1p-23 : 0.0);
-  const double flip = perceivedDifference(image, reference, hardwareThreads());
+  const double flip = meanFlip(image, reference, hardwareThreads());
   printDifference(difference, flip);
   printAlpha(image, reference, difference.alpha);
   printNotFinite(difference);

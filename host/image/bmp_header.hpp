@@ -15,7 +15,7 @@ struct BmpMask {
   int shift = 0;
   std::uint32_t maximum = 0;
 
-  [[nodiscard]] std::uint32_t of(std::uint32_t pixel) const { return (pixel & bits) >> shift; }
+  [[nodiscard]] std::uint32_t extract(std::uint32_t pixel) const { return (pixel & bits) >> shift; }
 };
 
 struct BmpHeader {
@@ -34,6 +34,6 @@ struct BmpHeader {
 
 // Reads the header of any Windows or OS/2 version that BMP files have. Throws Error(kInput) for what is
 // damaged, and, by its name, for a variant that is not read.
-BmpHeader readBmpHeader(const ImageBytes& file);
+BmpHeader readBmpHeader(const EncodedImage& file);
 
 }  // namespace lavaray

@@ -17,7 +17,8 @@ std::size_t pixelAt(const BmpHeader& header, std::size_t x, std::size_t row) {
 
 // `indexOf` gives the palette's index of the pixel at column x of a row as the file has it.
 template <typename IndexOf>
-void fillFromPalette(const ImageBytes& file, const BmpHeader& header, const IndexOf& indexOf, Image& image) {
+void fillFromPalette(const EncodedImage& file, const BmpHeader& header, const IndexOf& indexOf,
+                     Image& image) {
   for (std::size_t row = 0; row < static_cast<std::size_t>(header.height); ++row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(header.width); ++x) {
       const std::size_t index = indexOf(x, row);
@@ -32,7 +33,7 @@ void fillFromPalette(const ImageBytes& file, const BmpHeader& header, const Inde
   image.source.maxima = {255, 255, 255, 255};
 }
 
-void fillFromMasks(const ImageBytes& file, const BmpHeader& header, std::size_t rowBytes, Image& image) {
+void fillFromMasks(const EncodedImage& file, const BmpHeader& header, std::size_t rowBytes, Image& image) {
   const BmpMask& alpha = header.masks[3];
   if (alpha.bits != 0) image.alpha.resize(image.rgb.size() / 3);
   const auto bytes = static_cast<std::size_t>(header.bits / 8);
@@ -40,12 +41,12 @@ void fillFromMasks(const ImageBytes& file, const BmpHeader& header, std::size_t 
   std::uint32_t all = ~0U;  // in all pixels
   for (std::size_t row = 0; row < static_cast<std::size_t>(header.height); ++row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(header.width); ++x) {
-      const std::uint32_t pixel = file.little(header.pixelsAt + row * rowBytes + x * bytes, bytes);
+      const std::uint32_t pixel = file.littleEndian(header.pixelsAt + row * rowBytes + x * bytes, bytes);
       const std::size_t at = pixelAt(header, x, row);
       for (std::size_t i = 0; i < 3; ++i) {
-        image.rgb[3 * at + i] = quotient(header.masks[i].of(pixel), header.masks[i].maximum);
+        image.rgb[3 * at + i] = quotient(header.masks[i].extract(pixel), header.masks[i].maximum);
       }
-      if (alpha.bits != 0) image.alpha[at] = quotient(alpha.of(pixel), alpha.maximum);
+      if (alpha.bits != 0) image.alpha[at] = quotient(alpha.extract(pixel), alpha.maximum);
       set |= pixel;
       all &= pixel;
     }
@@ -60,7 +61,7 @@ void fillFromMasks(const ImageBytes& file, const BmpHeader& header, std::size_t 
 
 }  // namespace
 
-Image readBmp(const ImageBytes& file) {
+Image readBmp(const EncodedImage& file) {
   const BmpHeader header = readBmpHeader(file);
   if (header.isRunLength) {
     const std::vector<std::uint8_t> indices = readBmpRuns(file, header);

@@ -7,7 +7,7 @@ namespace {
 
 class Runs {
  public:
-  Runs(const ImageBytes& file, const BmpHeader& header)
+  Runs(const EncodedImage& file, const BmpHeader& header)
       : file_(file),
         isFourBits_(header.bits == 4),
         at_(header.pixelsAt),
@@ -75,7 +75,7 @@ class Runs {
 
   static std::uint8_t nibble(std::uint8_t byte, std::size_t i) { return i % 2 == 0 ? byte >> 4 : byte & 0xF; }
 
-  const ImageBytes& file_;
+  const EncodedImage& file_;
   bool isFourBits_;
   std::size_t at_;
   std::size_t width_;
@@ -86,7 +86,7 @@ class Runs {
 
 }  // namespace
 
-std::vector<std::uint8_t> readBmpRuns(const ImageBytes& file, const BmpHeader& header) {
+std::vector<std::uint8_t> readBmpRuns(const EncodedImage& file, const BmpHeader& header) {
   return Runs(file, header).read();
 }
 

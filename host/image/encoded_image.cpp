@@ -2,37 +2,36 @@
 
 #include "base/errors.hpp"
 #include "base/printable.hpp"
+#include "image/byte_order.hpp"
 
 namespace lavaray {
 namespace {
 
 // With 16 bytes a pixel no product of sizes is beyond 64 bits.
-constexpr std::int64_t kMostPixelsASide = 1'000'000;
+constexpr std::int64_t kMaxSide = 1'000'000;
 
 }  // namespace
 
-void ImageBytes::fail(const std::string& why) const {
+void EncodedImage::fail(const std::string& why) const {
   throw Error(ExitCode::kInput, printable(file.native()) + ": " + why);
 }
 
-void ImageBytes::failAsCutOff() const {
+void EncodedImage::failAsCutOff() const {
   fail("ends before all of its pixels");
 }
 
-std::uint32_t ImageBytes::little(std::size_t at, std::size_t count) const {
+std::uint32_t EncodedImage::littleEndian(std::size_t at, std::size_t count) const {
   if (at > bytes.size() || count > bytes.size() - at) fail("ends in the middle of its header");
-  std::uint32_t value = 0;
-  for (std::size_t i = count; i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
+  return fromLittleEndian(bytes.substr(at, count));
 }
 
-void ImageBytes::checkSides(std::int64_t width, std::int64_t height) const {
-  if (width >= 1 && height >= 1 && width <= kMostPixelsASide && height <= kMostPixelsASide) return;
+void EncodedImage::checkSides(std::int64_t width, std::int64_t height) const {
+  if (width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide) return;
   fail("has " + std::to_string(width) + " x " + std::to_string(height) +
-       " pixels by its header; allowed are 1 to " + std::to_string(kMostPixelsASide) + " a side");
+       " pixels by its header; allowed are 1 to " + std::to_string(kMaxSide) + " a side");
 }
 
-Image ImageBytes::blankImage(std::int64_t width, std::int64_t height) const {
+Image EncodedImage::blankImage(std::int64_t width, std::int64_t height) const {
   checkSides(width, height);
   Image image{static_cast<int>(width), static_cast<int>(height), {}};
   image.rgb.resize(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

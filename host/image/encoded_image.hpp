@@ -11,7 +11,7 @@
 namespace lavaray {
 
 // The bytes of an image file that is being read, and its name for what is said of it. Refers to both.
-struct ImageBytes {
+struct EncodedImage {
   std::string_view bytes;
   const std::filesystem::path& file;
 
@@ -20,7 +20,7 @@ struct ImageBytes {
   [[noreturn]] void failAsCutOff() const;
 
   // The unsigned number of 1 to 4 bytes, the lowest first. Fails where the file ends before.
-  [[nodiscard]] std::uint32_t little(std::size_t at, std::size_t count) const;
+  [[nodiscard]] std::uint32_t littleEndian(std::size_t at, std::size_t count) const;
 
   // An image of that size, its colours 0. Fails where a side is none that any reader takes. That the file is
   // long enough for so many pixels is for the caller to check before, as the memory is taken here.

@@ -31,7 +31,7 @@ namespace {
 
 class Stream : public Imf::IStream {
  public:
-  explicit Stream(const ImageBytes& file) : IStream(file.file.c_str()), bytes_(file.bytes) {}
+  explicit Stream(const EncodedImage& file) : IStream(file.file.c_str()), bytes_(file.bytes) {}
   bool read(char target[], int count) override {
     if (count < 0 || static_cast<std::uint64_t>(count) > bytes_.size() - std::min(at_, bytes_.size())) {
       throw Iex::InputExc("it ends early");
@@ -50,7 +50,7 @@ class Stream : public Imf::IStream {
 
 // How many bytes of pixels a byte of a file can stand for, and more than that: ZIP's limit is 1032 on 32-bit
 // floats, the others' below 1400, but that of DWA and what OpenEXR may yet come to know.
-std::uint64_t mostBytesPerByte(Imf::Compression compression) {
+std::uint64_t maxBytesPerByte(Imf::Compression compression) {
   return compression <= Imf::B44A_COMPRESSION ? 2000 : 100000;
 }
 
@@ -63,7 +63,7 @@ std::string listed(const Imf::ChannelList& channels) {
 }
 
 // OpenEXR's own refusals of what it does not read here give no reason that helps.
-void checkKind(const ImageBytes& file, Stream& stream) {
+void checkKind(const EncodedImage& file, Stream& stream) {
   bool isTiled = false;
   bool isDeep = false;
   bool hasParts = false;
@@ -73,7 +73,7 @@ void checkKind(const ImageBytes& file, Stream& stream) {
 }
 
 // Returns whether it is grey.
-bool checkChannels(const ImageBytes& file, const Imf::Header& header) {
+bool checkChannels(const EncodedImage& file, const Imf::Header& header) {
   const Imf::ChannelList& channels = header.channels();
   const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
   const bool isColor = std::ranges::all_of(kExrColors, has);
@@ -91,7 +91,7 @@ bool checkChannels(const ImageBytes& file, const Imf::Header& header) {
 }
 
 // Fails where the file cannot hold so many pixels, before memory for them is asked for.
-void checkSize(const ImageBytes& file, const Imf::Header& header) {
+void checkSize(const EncodedImage& file, const Imf::Header& header) {
   const Imath::Box2i& data = header.dataWindow();
   if (data != header.displayWindow()) {
     file.fail(
@@ -104,13 +104,13 @@ void checkSize(const ImageBytes& file, const Imf::Header& header) {
   for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
     bytes += channel.channel().type == Imf::HALF ? 2 : 4;
   }
-  if (pixels * bytes / mostBytesPerByte(header.compression()) <= file.bytes.size()) return;
+  if (pixels * bytes / maxBytesPerByte(header.compression()) <= file.bytes.size()) return;
   file.fail("is damaged: " + std::to_string(file.bytes.size()) + " bytes cannot hold " +
             std::to_string(pixels) + " pixels");
 }
 
 // OpenEXR 3.3 and later would print what is wrong, besides throwing it.
-Imf::InputFile open(const ImageBytes& file, Stream& stream) {
+Imf::InputFile open(const EncodedImage& file, Stream& stream) {
 #if OPENEXR_VERSION_MAJOR > 3 || OPENEXR_VERSION_MINOR >= 3
   const auto ignore = [](exr_const_context_t, exr_result_t, const char*) {};
   return {file.file.c_str(), Imf::ContextInitializer().setErrorHandler(ignore).setInputStream(&stream),
@@ -157,7 +157,7 @@ TextEntries textsOf(const Imf::Header& header) {
   return texts;
 }
 
-Image read(const ImageBytes& file) {
+Image read(const EncodedImage& file) {
   Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
   Stream stream(file);
   checkKind(file, stream);
@@ -182,7 +182,7 @@ Image read(const ImageBytes& file) {
 
 }  // namespace
 
-Image readExr(const ImageBytes& file) {
+Image readExr(const EncodedImage& file) {
   try {
     return read(file);
   } catch (const Error&) {

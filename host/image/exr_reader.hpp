@@ -7,6 +7,6 @@ namespace lavaray {
 
 // The picture in a file of R, G, B, or of Y alone, which is grey, and of A, of any compression and precision,
 // in scan lines or tiles. Fails for all else.
-Image readExr(const ImageBytes& file);
+Image readExr(const EncodedImage& file);
 
 }  // namespace lavaray

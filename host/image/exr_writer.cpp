@@ -111,7 +111,7 @@ struct ExrWriter::File {
 ExrWriter::ExrWriter(int width, int height, std::size_t channels, Precision precision,
                      const TextEntries& texts, std::FILE* stream) {
   writing([&] {
-    const Imf::PixelType type = precision == kHalf ? Imf::HALF : Imf::FLOAT;
+    const Imf::PixelType type = precision == Precision::kHalf ? Imf::HALF : Imf::FLOAT;
     file_ = std::make_unique<File>(makeHeader(width, height, channels, type, texts), channels, type, stream);
   });
 }

@@ -14,7 +14,7 @@ namespace lavaray {
 // colour keeps its 8-bit level.
 class ExrWriter {
  public:
-  enum Precision { kFloat, kHalf };
+  enum class Precision { kFloat, kHalf };
 
   // One channel or three. Throws Error(kOutput) for what OpenEXR refuses; whether all was written is for the
   // owner of the stream, which can be sought in, to check.

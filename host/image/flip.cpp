@@ -70,33 +70,35 @@ class Band {
  public:
   Band(const Image& image, const FlipFilters& filters, int y0, int y1)
       : filters_(filters), width_(static_cast<std::size_t>(image.width)), rows_(y1 - y0) {
-    const auto values = width_ * static_cast<std::size_t>(rows_ + 2 * filters.reach);
-    for (std::vector<float>& plane : across_) plane.resize(values);
-    for (int row = 0; row < rows_ + 2 * filters.reach; ++row) {
-      filterAcross(image, std::clamp(y0 - filters.reach + row, 0, image.height - 1), row);
+    const auto count = width_ * static_cast<std::size_t>(rows_ + 2 * filters.maxRadius);
+    for (std::vector<float>& values : across_) values.resize(count);
+    for (int row = 0; row < rows_ + 2 * filters.maxRadius; ++row) {
+      filterAcross(image, std::clamp(y0 - filters.maxRadius + row, 0, image.height - 1), row);
     }
   }
 
   // `row` counts from y0.
   [[nodiscard]] std::vector<Percept> percepts(int row) const {
-    const auto down = [&](Pass pass, const Kernel& kernel, std::vector<float>& sum) {
-      const int first = row + filters_.reach - radius(kernel);
+    const auto down = [&](Plane plane, const Kernel& kernel, std::vector<float>& sum) {
+      const int first = row + filters_.maxRadius - radius(kernel);
       for (std::size_t i = 0; i < kernel.size(); ++i) {
-        addScaled(kernel[i], &across_[pass][width_ * (static_cast<std::size_t>(first) + i)], sum);
+        addScaled(kernel[i],
+                  &across_[static_cast<std::size_t>(plane)][width_ * (static_cast<std::size_t>(first) + i)],
+                  sum);
       }
     };
     std::array<std::vector<float>, 3> opponent;
     std::array<std::vector<float>, 4> features;
     for (std::vector<float>& sum : opponent) sum.resize(width_);
     for (std::vector<float>& sum : features) sum.resize(width_);
-    down(kAchromatic, filters_.achromatic.down, opponent[0]);
-    down(kRedGreen, filters_.redGreen.down, opponent[1]);
-    down(kBlueYellowWide, filters_.blueYellowWide.down, opponent[2]);
-    down(kBlueYellowNarrow, filters_.blueYellowNarrow.down, opponent[2]);
-    down(kEdge, filters_.smooth, features[0]);
-    down(kSmooth, filters_.edge, features[1]);
-    down(kPoint, filters_.smooth, features[2]);
-    down(kSmooth, filters_.point, features[3]);
+    down(Plane::kAchromatic, filters_.achromatic.down, opponent[0]);
+    down(Plane::kRedGreen, filters_.redGreen.down, opponent[1]);
+    down(Plane::kBlueYellowWide, filters_.blueYellowWide.down, opponent[2]);
+    down(Plane::kBlueYellowNarrow, filters_.blueYellowNarrow.down, opponent[2]);
+    down(Plane::kEdge, filters_.smooth, features[0]);
+    down(Plane::kSmooth, filters_.edge, features[1]);
+    down(Plane::kPoint, filters_.smooth, features[2]);
+    down(Plane::kSmooth, filters_.point, features[3]);
 
     std::vector<Percept> result(width_);
     for (std::size_t x = 0; x < width_; ++x) {
@@ -109,16 +111,8 @@ class Band {
 
  private:
   // What is kept of each row, filtered along it.
-  enum Pass {
-    kAchromatic,
-    kRedGreen,
-    kBlueYellowWide,
-    kBlueYellowNarrow,
-    kEdge,
-    kSmooth,
-    kPoint,
-    kPassCount
-  };
+  enum class Plane { kAchromatic, kRedGreen, kBlueYellowWide, kBlueYellowNarrow, kEdge, kSmooth, kPoint };
+  static constexpr std::size_t kPlaneCount = 7;
 
   static void addScaled(float factor, const float* values, std::vector<float>& sum) {
     for (std::size_t x = 0; x < sum.size(); ++x) sum[x] += factor * values[x];
@@ -126,39 +120,40 @@ class Band {
 
   void filterAcross(const Image& image, int y, int row) {
     // The row's opponent channels, lengthened at both ends.
-    const std::size_t reach = static_cast<std::size_t>(filters_.reach);
+    const std::size_t margin = static_cast<std::size_t>(filters_.maxRadius);
     std::array<std::vector<float>, 3> padded;
-    for (std::vector<float>& channel : padded) channel.resize(width_ + 2 * reach);
+    for (std::vector<float>& channel : padded) channel.resize(width_ + 2 * margin);
     for (std::size_t x = 0; x < width_; ++x) {
       const float* rgb = &image.rgb[3 * (static_cast<std::size_t>(y) * width_ + x)];
       const glm::vec3 color =
           opponentFromLinear({linearFromSrgb(rgb[0]), linearFromSrgb(rgb[1]), linearFromSrgb(rgb[2])});
-      for (int channel = 0; channel < 3; ++channel) padded[channel][x + reach] = color[channel];
+      for (int channel = 0; channel < 3; ++channel) padded[channel][x + margin] = color[channel];
     }
     for (std::vector<float>& channel : padded) {
-      std::fill_n(channel.begin(), reach, channel[reach]);
-      std::fill_n(channel.end() - filters_.reach, reach, channel[reach + width_ - 1]);
+      std::fill_n(channel.begin(), margin, channel[margin]);
+      std::fill_n(channel.end() - filters_.maxRadius, margin, channel[margin + width_ - 1]);
     }
     std::vector<float> sum(width_);
-    const auto across = [&](Pass pass, const Kernel& kernel, const std::vector<float>& channel) {
+    const auto across = [&](Plane plane, const Kernel& kernel, const std::vector<float>& channel) {
       std::fill(sum.begin(), sum.end(), 0.0F);
-      const std::size_t first = reach - static_cast<std::size_t>(radius(kernel));
+      const std::size_t first = margin - static_cast<std::size_t>(radius(kernel));
       for (std::size_t i = 0; i < kernel.size(); ++i) addScaled(kernel[i], &channel[first + i], sum);
-      std::copy(sum.begin(), sum.end(), across_[pass].begin() + std::ptrdiff_t(width_) * row);
+      std::copy(sum.begin(), sum.end(),
+                across_[static_cast<std::size_t>(plane)].begin() + std::ptrdiff_t(width_) * row);
     };
-    across(kAchromatic, filters_.achromatic.across, padded[0]);
-    across(kRedGreen, filters_.redGreen.across, padded[1]);
-    across(kBlueYellowWide, filters_.blueYellowWide.across, padded[2]);
-    across(kBlueYellowNarrow, filters_.blueYellowNarrow.across, padded[2]);
-    across(kEdge, filters_.edge, padded[0]);
-    across(kSmooth, filters_.smooth, padded[0]);
-    across(kPoint, filters_.point, padded[0]);
+    across(Plane::kAchromatic, filters_.achromatic.across, padded[0]);
+    across(Plane::kRedGreen, filters_.redGreen.across, padded[1]);
+    across(Plane::kBlueYellowWide, filters_.blueYellowWide.across, padded[2]);
+    across(Plane::kBlueYellowNarrow, filters_.blueYellowNarrow.across, padded[2]);
+    across(Plane::kEdge, filters_.edge, padded[0]);
+    across(Plane::kSmooth, filters_.smooth, padded[0]);
+    across(Plane::kPoint, filters_.point, padded[0]);
   }
 
   const FlipFilters& filters_;
   std::size_t width_;
   int rows_;
-  std::array<std::vector<float>, kPassCount> across_;
+  std::array<std::vector<float>, kPlaneCount> across_;
 };
 
 }  // namespace

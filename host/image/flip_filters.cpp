@@ -96,7 +96,7 @@ FlipFilters flipFilters(double pixelsPerDegree) {
       sample(featureRadius, [&](double x) { return (x * x / (deviation * deviation) - 1.0) * gaussian(x); }));
   const Weights smooth = sample(featureRadius, gaussian);
   filters.smooth = scaled(smooth, 1.0 / sum(smooth));
-  filters.reach = std::max(blurRadius, featureRadius);
+  filters.maxRadius = std::max(blurRadius, featureRadius);
   return filters;
 }
 

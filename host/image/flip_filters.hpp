@@ -29,7 +29,7 @@ struct FlipFilters {
   Kernel edge;    // its positive and its negative weights add up to 1 and -1
   Kernel point;   // likewise
   Kernel smooth;  // adds up to 1
-  int reach = 0;  // the largest radius
+  int maxRadius = 0;
 };
 
 FlipFilters flipFilters(double pixelsPerDegree);

@@ -2,14 +2,11 @@
 
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "base/byte_reader.hpp"
 #include "base/file_claims.hpp"
 #include "image/bmp_reader.hpp"
 #include "image/encoded_image.hpp"
@@ -28,7 +25,7 @@ struct Format {
   const char* name;
   std::string_view magic;  // how a file of it begins
   std::string_view endings;
-  Image (*read)(const ImageBytes&);
+  Image (*read)(const EncodedImage&);
 };
 
 constexpr std::string_view kPnmEndings = ".ppm .pgm .pbm .pnm ";
@@ -86,7 +83,7 @@ bool isOf(const Format& format, std::string_view bytes) {
   return bytes.size() > 2 && (std::isspace(static_cast<unsigned char>(bytes[2])) != 0 || bytes[2] == '#');
 }
 
-const Format& formatOf(const ImageBytes& file) {
+const Format& formatOf(const EncodedImage& file) {
   if (file.bytes.empty()) file.fail("is empty; " + std::string(kAllowed));
   for (const Format& format : kFormats) {
     if (isOf(format, file.bytes)) return format;
@@ -112,41 +109,26 @@ void noteFalseEnding(const std::filesystem::path& file, const Format& format, Im
   }
 }
 
-// Appends up to `count` bytes; false where there were fewer.
-bool readOn(std::FILE* stream, std::size_t count, std::string& bytes) {
-  const std::size_t before = bytes.size();
-  bytes.resize(before + count);
-  bytes.resize(before + std::fread(bytes.data() + before, 1, count, stream));
-  return bytes.size() - before == count;
-}
-
 // The bytes of a file that begins like an image; others may have no end.
 std::string readBytes(const std::filesystem::path& file) {
   noteRead(file, "the image");
-  std::string bytes;
-  const auto failUnreadable = [&] {
-    ImageBytes{bytes, file}.fail(std::string("cannot be read: ") + std::strerror(errno));
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (!stream) failUnreadable();
-  bool hasMore = readOn(stream.get(), kBeginning, bytes);
-  if (std::ferror(stream.get()) != 0) failUnreadable();
-  (void)formatOf({bytes, file});
-  constexpr std::size_t kChunk = 1 << 16;
-  std::error_code noSize;  // as a pipe has none
-  const std::uintmax_t size = std::filesystem::file_size(file, noSize);
-  if (!noSize) bytes.reserve(static_cast<std::size_t>(size) + kChunk);
-  while (hasMore) hasMore = readOn(stream.get(), kChunk, bytes);
-  if (std::ferror(stream.get()) != 0) failUnreadable();
-  return bytes;
+  try {
+    ByteReader reader(file);
+    std::string bytes(kBeginning, '\0');
+    bytes.resize(reader.read(bytes));
+    (void)formatOf({bytes, file});
+    return bytes.size() < kBeginning ? bytes : readAll(reader, bytes, expectedSize(file));
+  } catch (const std::system_error& error) {
+    failUnreadable(file, error);
+  }
 }
 
 }  // namespace
 
 Image parseImage(std::string_view bytes, const std::filesystem::path& file) {
-  const ImageBytes imageBytes{bytes, file};
-  const Format& format = formatOf(imageBytes);
-  Image image = format.read(imageBytes);
+  const EncodedImage encoded{bytes, file};
+  const Format& format = formatOf(encoded);
+  Image image = format.read(encoded);
   image.source.format = format.name;
   noteFalseEnding(file, format, image.source);
   return image;

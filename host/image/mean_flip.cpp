@@ -29,7 +29,7 @@ Image displayed(const Image& image, const std::vector<bool>& isShown, bool isTru
 
 }  // namespace
 
-double perceivedDifference(const Image& image, const Image& reference, unsigned threads) {
+double meanFlip(const Image& image, const Image& reference, unsigned threads) {
   const std::vector<bool> isFinite = finiteInBoth(image, reference);
   const auto count = std::count(isFinite.begin(), isFinite.end(), true);
   if (count == 0) return 0.0;

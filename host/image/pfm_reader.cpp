@@ -1,13 +1,14 @@
 #include "image/pfm_reader.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
-#include <system_error>
+#include <string_view>
 
+#include "base/number_text.hpp"
 #include "base/text_location.hpp"
+#include "image/byte_order.hpp"
 #include "image/pnm_scanner.hpp"
 
 namespace lavaray {
@@ -15,36 +16,32 @@ namespace {
 
 // 1 or -1. Of any other magnitude programs make different numbers: some multiply by it, some divide, some
 // leave it.
-double readScale(const ImageBytes& file, PnmWords& words) {
-  const std::string_view text = words.word();
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
-  double scale = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), scale);
-  const bool isRead = error == std::errc() && end == digits.data() + digits.size();
-  if (isRead && std::abs(scale) == 1.0) return scale;
+double readScale(const EncodedImage& file, PnmScanner& scanner) {
+  const std::string_view text = scanner.word();
+  const std::optional<double> scale = parseDecimal(text);
+  if (scale && std::abs(*scale) == 1.0) return *scale;
   file.fail("its scale is " + quoted(text) +
             "; allowed are 1 and -1, since programs multiply by any other, divide by it or leave it");
 }
 
 }  // namespace
 
-Image readPfm(const ImageBytes& file) {
+Image readPfm(const EncodedImage& file) {
   const std::size_t channels = file.bytes[1] == 'f' ? 1 : 3;
-  PnmWords words(file);
-  const std::int64_t width = words.number("its width", 1, 0xFFFFFFFF);
-  const std::int64_t height = words.number("its height", 1, 0xFFFFFFFF);
+  PnmScanner scanner(file);
+  const std::int64_t width = scanner.number("its width", 1, 0xFFFFFFFF);
+  const std::int64_t height = scanner.number("its height", 1, 0xFFFFFFFF);
   file.checkSides(width, height);
-  const double scale = readScale(file, words);
-  const std::string_view pixels = words.pixels(4 * channels * static_cast<std::uint64_t>(width) * height);
-  const ImageBytes floats{pixels, file.file};
+  const double scale = readScale(file, scanner);
+  const std::string_view pixels = scanner.pixels(4 * channels * static_cast<std::uint64_t>(width) * height);
   Image image = file.blankImage(width, height);
   const std::size_t rowSize = channels * static_cast<std::size_t>(width);
   for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
     const std::size_t row = (static_cast<std::size_t>(height) - 1 - y) * rowSize;  // the lowest comes first
     for (std::size_t i = 0; i < std::size_t{3} * image.width; ++i) {
-      std::uint32_t bits = floats.little(4 * (row + (channels == 1 ? i / 3 : i)), 4);
-      if (scale > 0.0) bits = bits << 24 | (bits & 0xFF00) << 8 | (bits >> 8 & 0xFF00) | bits >> 24;
-      image.rgb[y * 3 * image.width + i] = std::bit_cast<float>(bits);
+      const std::string_view bytes = pixels.substr(4 * (row + (channels == 1 ? i / 3 : i)), 4);
+      image.rgb[y * 3 * image.width + i] =
+          std::bit_cast<float>(scale > 0.0 ? fromBigEndian(bytes) : fromLittleEndian(bytes));
     }
   }
   return image;

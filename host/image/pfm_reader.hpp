@@ -6,6 +6,6 @@
 namespace lavaray {
 
 // PFM in colour (PF) or grey (Pf), of either byte order, with a scale of 1. Throws Error(kInput).
-Image readPfm(const ImageBytes& file);
+Image readPfm(const EncodedImage& file);
 
 }  // namespace lavaray

@@ -13,21 +13,19 @@
 #include <vector>
 
 #include "base/number_text.hpp"
+#include "image/byte_order.hpp"
 #include "image/png_common.hpp"
 
 namespace lavaray {
 namespace {
 
 // libpng takes memory for all of a chunk before it finds that the file ends in it.
-void checkChunkLengths(const ImageBytes& file) {
+void checkChunkLengths(const EncodedImage& file) {
   constexpr std::size_t kAround = 12;  // length, kind and checksum
   const std::size_t size = file.bytes.size();
   std::size_t at = 8;
   while (at + kAround <= size) {
-    std::uint32_t length = 0;
-    for (std::size_t i = at; i < at + 4; ++i) {
-      length = length << 8 | static_cast<unsigned char>(file.bytes[i]);
-    }
+    const std::uint32_t length = fromBigEndian(file.bytes.substr(at, 4));
     if (length > size - at - kAround) file.failAsCutOff();
     if (file.bytes.substr(at + 4, 4) == "IEND") return;
     at += kAround + length;
@@ -37,7 +35,7 @@ void checkChunkLengths(const ImageBytes& file) {
 // A file that is read as PNG.
 class Reader {
  public:
-  explicit Reader(const ImageBytes& file) : file_(file) {
+  explicit Reader(const EncodedImage& file) : file_(file) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, onPngError, onReadWarning);
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) throw std::bad_alloc();
@@ -177,7 +175,7 @@ class Reader {
 
   [[nodiscard]] bool isPalette() const { return png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE; }
 
-  const ImageBytes& file_;
+  const EncodedImage& file_;
   std::size_t at_ = 0;
   std::string message_;
   png_structp png_ = nullptr;
@@ -188,7 +186,7 @@ class Reader {
 
 }  // namespace
 
-Image readPng(const ImageBytes& file) {
+Image readPng(const EncodedImage& file) {
   checkChunkLengths(file);
   return Reader(file).read();
 }

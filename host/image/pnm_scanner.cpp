@@ -16,14 +16,14 @@ bool isBlank(char c) {
 
 }  // namespace
 
-void PnmWords::skipBlanks() {
+void PnmScanner::skipBlanks() {
   const std::string_view bytes = file_.bytes;
   while (at_ < bytes.size() && (isBlank(bytes[at_]) || bytes[at_] == '#')) {
     at_ = bytes[at_] == '#' ? std::min(bytes.find_first_of("\n\r", at_), bytes.size()) : at_ + 1;
   }
 }
 
-std::string_view PnmWords::word() {
+std::string_view PnmScanner::word() {
   skipBlanks();
   const std::size_t begin = at_;
   const std::string_view bytes = file_.bytes;
@@ -31,18 +31,17 @@ std::string_view PnmWords::word() {
   return bytes.substr(begin, at_ - begin);
 }
 
-std::uint32_t PnmWords::number(const char* name, std::uint32_t least, std::uint32_t most) {
+std::uint32_t PnmScanner::number(const char* name, std::uint32_t min, std::uint32_t max) {
   const std::string_view text = word();
   if (text.empty()) file_.failAsCutOff();
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most)
-    return value;
+  if (error == std::errc() && end == text.data() + text.size() && value >= min && value <= max) return value;
   file_.fail(std::string(name) + " is " + quoted(text) + "; allowed are the integers from " +
-             std::to_string(least) + " to " + std::to_string(most));
+             std::to_string(min) + " to " + std::to_string(max));
 }
 
-std::uint32_t PnmWords::bit() {
+std::uint32_t PnmScanner::bit() {
   skipBlanks();
   if (at_ == file_.bytes.size()) file_.failAsCutOff();
   const char digit = file_.bytes[at_++];
@@ -52,7 +51,7 @@ std::uint32_t PnmWords::bit() {
   return digit == '1' ? 1 : 0;
 }
 
-std::string_view PnmWords::pixels(std::uint64_t size) {
+std::string_view PnmScanner::pixels(std::uint64_t size) {
   std::string_view rest = file_.bytes.substr(at_);
   if (rest.starts_with('#')) {  // right behind the last number: the end of its line is the white space
     rest.remove_prefix(std::min(rest.find_first_of("\n\r"), rest.size()));
@@ -71,11 +70,11 @@ std::string_view PnmWords::pixels(std::uint64_t size) {
   return rest.substr(0, size);
 }
 
-void PnmWords::requireText(std::uint64_t least) const {
-  if (file_.bytes.size() - at_ < least) file_.failAsCutOff();
+void PnmScanner::requireText(std::uint64_t min) const {
+  if (file_.bytes.size() - at_ < min) file_.failAsCutOff();
 }
 
-void PnmWords::requireEnd() {
+void PnmScanner::requireEnd() {
   const std::string_view text = word();
   if (!text.empty())
     file_.fail("goes on with " + quoted(text) + " after its pixels; allowed is one image a file");

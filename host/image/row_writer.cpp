@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "base/errors.hpp"
+#include "image/byte_order.hpp"
 
 namespace lavaray {
 namespace {
@@ -25,9 +26,8 @@ std::size_t rowBytes(ImageFormat format, int width) {
 
 void toBigEndianFloats(std::span<const float> values, std::uint8_t* bytes) {
   for (const float value : values) {
-    const auto bits = __builtin_bswap32(std::bit_cast<std::uint32_t>(value));
-    std::memcpy(bytes, &bits, sizeof bits);
-    bytes += sizeof bits;
+    putBigEndian(std::bit_cast<std::uint32_t>(value), bytes);
+    bytes += sizeof value;
   }
 }
 
@@ -57,9 +57,10 @@ RowWriter::RowWriter(ImageFormat format, int width, int height, std::FILE* strea
       return;  // It has rows of its own, as the next one.
     case ImageFormat::kExr:
     case ImageFormat::kExrHalf:
-      exr_ = std::make_unique<ExrWriter>(width, height, 3,
-                                         format_ == ImageFormat::kExr ? ExrWriter::kFloat : ExrWriter::kHalf,
-                                         texts, stream);
+      exr_ = std::make_unique<ExrWriter>(
+          width, height, 3,
+          format_ == ImageFormat::kExr ? ExrWriter::Precision::kFloat : ExrWriter::Precision::kHalf, texts,
+          stream);
       return;
     case ImageFormat::kPpm:
       std::fprintf(stream_, "P6\n%d %d\n255\n", width, height);
@@ -74,15 +75,15 @@ RowWriter::RowWriter(ImageFormat format, int width, int height, std::FILE* strea
 
 void RowWriter::writeBmpHeader(int width, int height) {
   std::array<std::uint8_t, kBmpHeaderBytes> header{'B', 'M'};
-  const auto put = [&](std::size_t place, std::uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) header[place + i] = static_cast<std::uint8_t>(value >> (8 * i));
+  const auto put = [&](std::size_t at, std::uint32_t value, std::size_t bytes) {
+    putLittleEndian(value, bytes, &header[at]);
   };
-  const std::uint64_t pixelBytes = std::uint64_t{rowBytes_} * height;
+  const auto pixelBytes = static_cast<std::uint32_t>(std::uint64_t{rowBytes_} * height);  // checkBmpSize()
   put(2, kBmpHeaderBytes + pixelBytes, 4);
   put(10, kBmpHeaderBytes, 4);
   put(14, 40, 4);  // bytes of the second half of the header
-  put(18, static_cast<std::uint64_t>(width), 4);
-  put(22, static_cast<std::uint64_t>(height), 4);
+  put(18, static_cast<std::uint32_t>(width), 4);
+  put(22, static_cast<std::uint32_t>(height), 4);
   put(26, 1, 2);   // planes
   put(28, 24, 2);  // bits a pixel
   put(34, pixelBytes, 4);

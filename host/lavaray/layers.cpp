@@ -26,7 +26,7 @@ std::unique_ptr<ExrWriter> Layers::makeWriter(const File& file, const RenderSett
   texts.emplace_back(kExrLayer, layerName(file.layer));
   // Half floats end at 65504 and know integers to 2048: too few for depths and numbers.
   return std::make_unique<ExrWriter>(part.x1 - part.x0, part.y1 - part.y0, channelsOf(file.layer),
-                                     ExrWriter::kFloat, texts, file.output.stream());
+                                     ExrWriter::Precision::kFloat, texts, file.output.stream());
 }
 
 bool Layers::areTraced() const {
