@@ -7,8 +7,8 @@
 namespace lavaray {
 namespace {
 
-// Few primitives need few bins. With fewer than these the tree costs up to 1% more; with more than kMaxBins
-// it costs hardly less.
+// Few primitives need few bins. With fewer than these the tree costs up to 1% more; beyond kMaxBins it costs
+// hardly less.
 int binsFor(std::uint32_t primitives) {
   return static_cast<int>(std::min<std::uint32_t>(kMaxBins, 8 + primitives / 8));
 }
@@ -16,7 +16,7 @@ int binsFor(std::uint32_t primitives) {
 }  // namespace
 
 BinMapping::BinMapping(const Range& range) : bins(binsFor(range.count)) {
-  // Falls so little short of the last bin's end that the largest centroid is in the last bin, whatever is
+  // Just short of the last bin's end, so that the largest centroid lands in the last bin however it is
   // rounded.
   const float end = static_cast<float>(bins) * (1.0F - 0x1p-20F);
   const PaddedBox& centroids = range.bounds.centroids;
@@ -61,10 +61,10 @@ PaddedBox Bins::boxOf(int axis, int first, int last) const {
 
 std::optional<BinSplit> bestSplit(const Bins& bins, const BinMapping& mapping) {
   std::optional<BinSplit> best;
-  float bestCost = 0.0F;  // half area times primitives, summed over the two sides
+  float bestCost = 0.0F;  // half area times primitives, summed over both sides
   for (int axis = 0; axis < 3; ++axis) {
     if (!mapping.canSplit(axis)) continue;
-    // Neither side of a split is ever empty, since the first bin and the last one are not.
+    // Neither side of a split is ever empty, since neither the first bin nor the last one is.
     std::array<float, kMaxBins> rightCost;
     PaddedBox right = emptyBox();
     int rightCount = 0;

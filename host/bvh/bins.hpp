@@ -8,12 +8,13 @@
 
 namespace lavaray {
 
-// Splits by binning, based on: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007.
+// Finds splits by binning. Based on: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
+// 2007.
 
 constexpr int kMaxBins = 32;
 
-// Which of an axis's `bins` a reference falls into by its doubled centroid: they divide the extent of a
-// range's centroids evenly. An axis without extent, or with one too small to divide by, has scale 0.
+// Maps a reference's doubled centroid to one of `bins` bins, which divide the extent of a range's centroids
+// evenly along each axis. An axis with no extent, or one too small to divide by, has scale 0.
 struct BinMapping {
   int bins;
   float lower[3];
@@ -26,9 +27,9 @@ struct BinMapping {
   }
 };
 
-// How many references have fallen into each bin of each axis, and their boxes.
+// The number of references in each bin of each axis, and their bounding boxes.
 struct Bins {
-  int size;  // bins an axis
+  int size;  // bins per axis
   PaddedBox boxes[3][kMaxBins];
   std::uint32_t counts[3][kMaxBins];
 
@@ -43,7 +44,7 @@ struct BinSplit {
   int lastLeftBin;
 };
 
-// The split of the lowest cost by the surface area heuristic; nothing where all centroids coincide.
+// The split that costs least by the surface area heuristic; empty if all centroids coincide.
 std::optional<BinSplit> bestSplit(const Bins& bins, const BinMapping& mapping);
 
 }  // namespace lavaray

@@ -17,16 +17,16 @@
 namespace lavaray {
 namespace {
 
-// Ranges above this size are split level by level, all of a level together by all threads; a smaller one's
-// subtree is one thread's work. Ranges are scanned in chunks of a fixed size. Neither size depends on the
-// number of threads, and boxes and counts add up to the same in any order, so neither does the tree.
+// Larger ranges are split level by level, each level by all threads together; the subtree of a smaller one is
+// a single thread's work. Ranges are scanned in chunks of a fixed size. Neither size depends on the number of
+// threads, and boxes and counts add up to the same in any order, so the tree does not depend on it either.
 constexpr std::uint32_t kSubtreeSize = 8192;
 constexpr std::uint32_t kChunkSize = 16384;
-// Leaves are made by sweeps only, and those are within subtrees.
+// Only sweeps make leaves, and only within subtrees.
 static_assert(gpu::kMaxLeafSize <= kMaxSweepSize && kMaxSweepSize <= kSubtreeSize);
 
 struct Chunk {
-  std::size_t range;  // which of several
+  std::size_t range;  // index of the range it belongs to
   std::uint32_t first;
   std::uint32_t count;
 };
@@ -41,8 +41,8 @@ std::vector<Chunk> chunksOf(std::span<const Range> ranges) {
   return chunks;
 }
 
-// Orders references by centroid on the axis where those of a range extend furthest, or by size where they
-// coincide; then by index, so that the order is total.
+// Orders a range's references by centroid on the axis of their largest extent, or by size if all centroids
+// coincide; ties are broken by index, so that the order is total.
 struct Order {
   int axis;
   bool isBySize;
@@ -81,7 +81,7 @@ class Builder {
   }
 
  private:
-  // Returns the range of all.
+  // Returns the range of all references.
   Range makeReferences(std::span<const Box> boxes) {
     Range all{0, 0, static_cast<std::uint32_t>(boxes.size()), 0, {}};
     const std::vector<Chunk> chunks = chunksOf(std::span(&all, 1));
@@ -100,7 +100,7 @@ class Builder {
     return std::span(references_).subspan(first, count);
   }
 
-  // Makes an inner node of each range, and returns their children.
+  // Makes an inner node of each range and returns their children.
   std::vector<Range> splitAll(std::span<const Range> ranges) {
     const std::vector<Chunk> chunks = chunksOf(ranges);
     const std::vector<BinMapping> mappings(ranges.begin(), ranges.end());
@@ -128,14 +128,14 @@ class Builder {
     Bins bins(mapping.bins);
     bins.add(references(range.first, range.count), mapping);
     auto [left, right] = split(range, mapping, bins);
-    right.node = buildSubtree(left);  // no gap after the left subtree, whose size is now known
+    right.node = buildSubtree(left);  // leaves no gap after the left subtree, whose size is known now
     makeInnerNode(range, left.node, right.node);
     return buildSubtree(right);
   }
 
   std::uint32_t sweepSubtree(const Range& range) {
     const std::span<Reference> all = references(range.first, range.count);
-    // Sweeping keeps the order of references with one centroid.
+    // Sweeping keeps references with the same centroid in order.
     const Order order(range.bounds.centroids);
     if (order.isBySize) std::sort(all.begin(), all.end(), order);
     return buildBySweep(all, range, bvh_);
@@ -151,7 +151,7 @@ class Builder {
     return splitAtMedian(range);
   }
 
-  // The partition is Lomuto's: its loop has no branch to mispredict.
+  // Uses Lomuto's partition: its loop has no branch to mispredict.
   std::array<Range, 2> splitAtBin(const Range& range, const BinMapping& mapping, const Bins& bins,
                                   const BinSplit& split) {
     const std::span<Reference> all = references(range.first, range.count);
@@ -186,8 +186,8 @@ class Builder {
     return children;
   }
 
-  // The two parts of a range, but for their bounds. The right one's nodes leave room for any tree of the
-  // left.
+  // The two parts of a range, their bounds still unset. The right part's nodes start where even the largest
+  // possible tree of the left part would end.
   static std::array<Range, 2> childrenOf(const Range& range, std::uint32_t leftCount) {
     const std::uint32_t rightCount = range.count - leftCount;
     return {{{range.node + 1, range.first, leftCount, range.depth + 1, {}},
@@ -208,7 +208,7 @@ class Builder {
 
 void measureNode(const Bvh& bvh, std::uint32_t index, unsigned depth, double rootArea, BvhQuality& quality) {
   const BvhNode& node = bvh.nodes[index];
-  // A root without area is hit as surely as its content.
+  // A root without area is hit whenever its contents are.
   const double share = rootArea > 0.0 ? static_cast<double>(halfArea(node.box)) / rootArea : 1.0;
   quality.depth = std::max(quality.depth, depth);
   if (node.count > 0) {

@@ -12,8 +12,8 @@
 namespace lavaray {
 namespace {
 
-// More primitives about one centre than this, and it is worth looking for duplicates among them: no tree can
-// tell those apart, and a ray that reaches one has to test them all.
+// Beyond this many primitives around one centre it is worth looking for duplicates: no tree can separate
+// them, and a ray that reaches one has to test them all.
 constexpr std::uint32_t kManyCoincident = 64;
 
 std::vector<Box> boundingBoxes(const Primitives& primitives, unsigned threads) {

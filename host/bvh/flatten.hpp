@@ -5,13 +5,13 @@
 
 namespace lavaray {
 
-// Whether the scene has no more than gpu::kMaxFewPrimitives, so that its rays test each of them.
+// Whether the scene has at most gpu::kMaxFewPrimitives primitives, so that rays test every one of them.
 bool hasFewPrimitives(const Scene& scene);
 
-// Throws Error(kInput) where the scene has more than gpu::kMaxReference primitives.
+// Throws Error(kInput) if the scene has more than gpu::kMaxReference primitives.
 GpuScene flatten(const Scene& scene, unsigned threads);
 
-// Whether two scenes have the same hierarchy: the same spheres and triangles, in the same frame.
+// Whether two scenes have the same hierarchy: the same spheres and triangles in the same frame.
 bool sameGeometry(const Scene& a, const Scene& b);
 
 // Turns `flat`, flattened from a scene of the same geometry, into what flatten(scene) returns: sets its

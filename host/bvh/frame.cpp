@@ -11,7 +11,8 @@
 namespace lavaray {
 namespace {
 
-// How far a scene's things are from the camera: spheres and triangles, and what may be far beside them.
+// How far from the camera a scene reaches: its spheres and triangles (near), and its planes and lights, which
+// may be much further away (far).
 class Extent {
  public:
   explicit Extent(const Scene& scene) : origin_(scene.camera.position) {
@@ -25,8 +26,8 @@ class Extent {
     }
     for (const MeshObject& object : scene.meshObjects) addMesh(scene.meshes[object.mesh]);
   }
-  // Where it is at least 1, it may be less than the largest: most scenes have such a coordinate right at the
-  // start.
+  // Once it is at least 1 it need not be the maximum: the search stops early, as most scenes have such a
+  // coordinate right at the start.
   [[nodiscard]] double near() const { return near_; }
   [[nodiscard]] double far() const { return far_; }
 
@@ -62,13 +63,13 @@ float Frame::planeDistance(const glm::dvec3& normal, const glm::dvec3& point) co
 }
 
 Frame frameOf(const Scene& scene) {
-  constexpr int kMaxExponent = 1000;  // of a double that no power of two takes beyond the largest one
-  constexpr int kFarthestExponent =
-      50;  // squares of the products of such a distance and a near one stay finite
+  constexpr int kMaxExponent = 1000;  // keeps the scale itself finite, however tiny the scene
+  // The square of the product of a far distance, below 2^51, and a near one stays finite in float32.
+  constexpr int kMaxFarExponent = 50;
   const Extent extent(scene);
   const double measure = extent.near() > 0.0 ? extent.near() : extent.far();
   int exponent = measure > 0.0 ? std::min(-std::ilogb(measure), kMaxExponent) : 0;
-  if (extent.far() > 0.0) exponent = std::min(exponent, kFarthestExponent - std::ilogb(extent.far()));
+  if (extent.far() > 0.0) exponent = std::min(exponent, kMaxFarExponent - std::ilogb(extent.far()));
   return {scene.camera.position, std::ldexp(1.0, std::max(exponent, 0))};
 }
 

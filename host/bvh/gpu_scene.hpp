@@ -13,7 +13,7 @@ namespace lavaray {
 // The scene as the shaders read it: float32, in the coordinates of its Frame (frame.hpp). Getting there in
 // double precision keeps the full precision of coordinates near the camera, wherever the scene lies.
 struct GpuScene {
-  std::vector<gpu::BvhNode> nodes;                 // see WideBvh; empty where there are no primitives
+  std::vector<gpu::BvhNode> nodes;                 // see WideBvh; empty if there are no primitives
   std::uint32_t bvhDepth = 0;                      // inner nodes on the longest path
   std::vector<gpu::Primitive> primitives;          // in the order of the BVH's leaves
   std::vector<gpu::TrianglePlane> trianglePlanes;  // one per primitive if there is a triangle, else empty

@@ -8,8 +8,8 @@
 
 namespace lavaray {
 
-// gcc and clang make one instruction of each operation on the four numbers, whatever the processor. They do
-// not do so reliably for loops over four floats.
+// gcc and clang turn each operation on the four numbers into vector instructions on any processor that has
+// them, which they do not do reliably for loops over four floats.
 using Float4 [[gnu::vector_size(16)]] = float;
 
 inline Float4 min(Float4 a, Float4 b) {
@@ -19,7 +19,7 @@ inline Float4 max(Float4 a, Float4 b) {
   return a < b ? b : a;
 }
 
-// Box for the builder's inner loops. What the fourth numbers say is not about the box.
+// A box for the builder's inner loops. The fourth numbers are padding and not part of the box.
 struct PaddedBox {
   Float4 lower;
   Float4 upper;
@@ -46,14 +46,14 @@ inline PaddedBox emptyBox() {
   return {kInfinities, -kInfinities};
 }
 
-// Half of the surface area of a box that is not empty.
+// Half the surface area of a box that is not empty.
 inline float halfArea(const PaddedBox& box) {
   const Float4 size = box.upper - box.lower;
   return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
 
-// What the builder sorts: the box of a primitive, with the primitive's index in the padding. As a float, an
-// index below 2^28 is finite.
+// A primitive reference, which the builder sorts in place of the primitive: its box, with the primitive's
+// index in the padding. Read as a float, an index below 2^28 is finite.
 struct Reference {
   PaddedBox box;
 

@@ -30,7 +30,7 @@ class Collector {
     result_.cornerNormals.reserve(cornerNormals);
   }
 
-  // Objects in the order of the file: each of the scene's arrays is ordered by object, so they are merged.
+  // In file order: each of the scene's arrays is sorted by object, so this merges them.
   Primitives collect() {
     std::size_t sphere = 0;
     std::size_t triangle = 0;
@@ -76,8 +76,8 @@ class Collector {
     }
   }
 
-  // As long as the file has them in relation to one another, since they are interpolated like that; scaled
-  // together into the range where float32 keeps their direction.
+  // Keeps the normals' relative lengths, since interpolation depends on them, but scales all three into the
+  // range where float32 preserves their directions.
   void addCornerNormals(const Mesh& mesh, const MeshTriangle& triangle) {
     double largest = 0.0;
     for (const std::uint32_t n : triangle.normals)
@@ -95,7 +95,8 @@ class Collector {
   Primitives result_;
 };
 
-// The bits that make two shapes coincide: a triangle's vertices in any order, or a sphere.
+// Equal for shapes that coincide: a triangle's vertices in any order, or a sphere's centre and radius, as
+// bits.
 using ShapeKey = std::array<std::uint32_t, 10>;
 
 ShapeKey keyOf(const gpu::Primitive& shape) {
@@ -107,7 +108,7 @@ ShapeKey keyOf(const gpu::Primitive& shape) {
   }
   ShapeKey key{shape.kind == gpu::kSphere ? 1U : 0U};
   for (int i = 0; i < 9; ++i) {
-    key[1 + i] = std::bit_cast<std::uint32_t>(corners[i / 3][i % 3] + 0.0F);  // -0 and 0 are one
+    key[1 + i] = std::bit_cast<std::uint32_t>(corners[i / 3][i % 3] + 0.0F);  // turns -0 into 0
   }
   return key;
 }
@@ -161,7 +162,7 @@ Box boundingBox(const gpu::Primitive& shape) {
     box.extend(shape.c);
     return box;
   }
-  // centre -+ radius is rounded, so each side moves out by one float.
+  // centre -+ radius is rounded, so each bound moves outwards by one float.
   for (int axis = 0; axis < 3; ++axis) {
     box.lower[axis] = std::nextafter(shape.a[axis] - shape.b.x, -INFINITY);
     box.upper[axis] = std::nextafter(shape.a[axis] + shape.b.x, INFINITY);

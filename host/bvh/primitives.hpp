@@ -9,28 +9,27 @@
 
 namespace lavaray {
 
-// What the BVH holds: all spheres and triangles of a scene, relative to the camera, in the order of the file.
+// What the BVH holds: all spheres and triangles of a scene, in its Frame, in file order.
 struct Primitives {
   std::vector<gpu::Primitive> shapes;
-  std::vector<gpu::TrianglePlane> planes;        // one a shape where there is a triangle, else empty
+  std::vector<gpu::TrianglePlane> planes;        // one per shape if there is a triangle, else empty
   std::vector<gpu::CornerNormal> cornerNormals;  // three for each triangle that has them
 };
 
-// How many that are.
 std::size_t primitiveCount(const Scene& scene);
 
-// Throws Error(kInput) where there are more than gpu::kMaxReference.
+// Throws Error(kInput) if there are more than gpu::kMaxReference.
 Primitives collectPrimitives(const Scene& scene);
 
-// Brings the spheres before the triangles and leaves the order of each.
+// Moves the spheres before the triangles; within each kind the order stays.
 void putSpheresFirst(Primitives& primitives);
 
-// The smallest box of float32 coordinates that holds the shape.
+// The smallest box with float32 coordinates that contains the shape.
 Box boundingBox(const gpu::Primitive& shape);
 
-// Removes shapes that coincide with an earlier one and change no pixel: of several triangles with the same
-// vertices only the first is ever seen, and none of them blocks another. Of equal spheres the first two are
-// kept, since the second one blocks the far side of the first. Returns how many it removed.
+// Removes shapes that coincide with an earlier one and affect no pixel: of several triangles with the same
+// vertices only the first is ever seen, and none of them occludes another. Of equal spheres the first two are
+// kept, because the second occludes the far side of the first. Returns the number of shapes removed.
 std::size_t removeCoincident(Primitives& primitives);
 
 }  // namespace lavaray

@@ -13,9 +13,9 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct SweepSplit {
-  float cost = kInfinity;  // half area times primitives, summed over the two sides
+  float cost = kInfinity;  // half area times primitives, summed over both sides
   int axis = 0;
-  int middle = 0;  // where the right side begins
+  int middle = 0;  // first index of the right side
 };
 
 class SweepBuilder {
@@ -25,13 +25,13 @@ class SweepBuilder {
     for (int axis = 0; axis < 3; ++axis) sort(axis);
   }
 
-  // Makes the subtree of what is at the places from `begin` to before `end`; returns the index of its root.
+  // Builds the subtree of what is sorted to indices [begin, end); returns the index of its root.
   std::uint32_t build(int begin, int end, std::uint32_t depth) {
     const std::uint32_t index = nextNode_++;
     const auto count = static_cast<std::uint32_t>(end - begin);
     SweepSplit best;
     PaddedBox box;
-    // Two primitives can be split only one way.
+    // Two primitives can be split in one way only.
     for (int axis = 0; axis < (count > 2 ? 3 : 1); ++axis) box = sweep(axis, begin, end, best);
 
     const float area = halfArea(box);
@@ -42,7 +42,7 @@ class SweepBuilder {
       for (int i = begin; i < end; ++i) bvh_.order[first_ + i] = at(0, i).primitive();
       bvh_.nodes[index] = {box.unpadded(), count, first, 0, 0};
     } else {
-      // Where no split gains anything, as among equal boxes, the tree shall at least be low.
+      // If no split gains anything, as among equal boxes, at least keep the tree shallow.
       if (!anySplit || best.cost >= leafCost) best.middle = (begin + end) / 2;
       partition(best, begin, end);
       const std::uint32_t left = build(begin, best.middle, depth + 1);
@@ -55,23 +55,23 @@ class SweepBuilder {
   [[nodiscard]] std::uint32_t nextNode() const { return nextNode_; }
 
  private:
-  [[nodiscard]] const Reference& at(int axis, int place) const { return references_[sorted_[axis][place]]; }
+  [[nodiscard]] const Reference& at(int axis, int index) const { return references_[sorted_[axis][index]]; }
 
-  // Puts each reference at the place that is the number of those before it. To count them is faster than to
-  // compare and swap, for so few: no branch depends on the outcome of a comparison.
+  // Puts each reference at the index that is the number of references before it. For so few, counting beats
+  // comparing and swapping: no branch depends on the outcome of a comparison.
   void sort(int axis) {
     const int count = static_cast<int>(references_.size());
     std::array<float, kMaxSweepSize> keys;
     for (int i = 0; i < count; ++i) keys[i] = references_[i].box.doubledCentroid(axis);
     for (int i = 0; i < count; ++i) {
-      int place = 0;
-      for (int j = 0; j < i; ++j) place += keys[j] <= keys[i] ? 1 : 0;
-      for (int j = i + 1; j < count; ++j) place += keys[j] < keys[i] ? 1 : 0;
-      sorted_[axis][place] = static_cast<std::uint8_t>(i);
+      int index = 0;
+      for (int j = 0; j < i; ++j) index += keys[j] <= keys[i] ? 1 : 0;
+      for (int j = i + 1; j < count; ++j) index += keys[j] < keys[i] ? 1 : 0;
+      sorted_[axis][index] = static_cast<std::uint8_t>(i);
     }
   }
 
-  // Replaces `best` by the axis's best split where that costs less. Returns the box of all.
+  // Replaces `best` with the axis's best split if that costs less. Returns the box of all references.
   PaddedBox sweep(int axis, int begin, int end, SweepSplit& best) const {
     std::array<float, kMaxSweepSize> rightCost;
     PaddedBox right = emptyBox();
@@ -88,8 +88,8 @@ class SweepBuilder {
     return left;
   }
 
-  // On the split's axis the two sides are in place already. On the others they are brought there, and each
-  // side keeps its order.
+  // On the split's axis both sides are in place already. On the others this moves them there, each side
+  // keeping its order.
   void partition(const SweepSplit& split, int begin, int end) {
     std::uint32_t isLeft = 0;  // bit i stands for references_[i]
     for (int i = begin; i < split.middle; ++i) isLeft |= 1U << sorted_[split.axis][i];

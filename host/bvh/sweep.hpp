@@ -8,13 +8,13 @@
 
 namespace lavaray {
 
-// About where trying every split becomes slower than binning.
+// Roughly where trying every split becomes slower than binning.
 constexpr std::uint32_t kMaxSweepSize = 32;
 
-// Builds the subtree of a range of at most kMaxSweepSize primitives, whose references are given; the range's
-// bounds are not read. Tries every split of them in the order of their centroids on each axis. Returns the
-// index after the subtree's last node. Based on: Wald, Boulos and Shirley, "Ray Tracing Deformable Scenes
-// using Dynamic Bounding Volume Hierarchies", 2007.
+// Builds the subtree of a range of at most kMaxSweepSize primitives, given their references; the range's
+// bounds are not read. Sorts the references by centroid on each axis and tries every split. Returns the index
+// after the subtree's last node. Based on: Wald, Boulos and Shirley, "Ray Tracing Deformable Scenes using
+// Dynamic Bounding Volume Hierarchies", 2007.
 std::uint32_t buildBySweep(std::span<const Reference> references, const Range& range, Bvh& bvh);
 
 }  // namespace lavaray

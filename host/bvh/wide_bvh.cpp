@@ -13,59 +13,59 @@ namespace lavaray {
 namespace {
 
 constexpr int kWidth = static_cast<int>(gpu::kNodeWidth);
-constexpr double kLargestSide = 255.0;
+constexpr double kMaxBound = 255.0;
 constexpr int kExponentBias = 127;
-constexpr int kLowestExponent = -126;
+constexpr int kMinExponent = -126;
 
-// Coordinates on one axis in which side s lies at origin + s unit.
-struct Frame {
+// Quantised coordinates on one axis: bound b lies at origin + b unit.
+struct Grid {
   double origin;
   double unit;  // 2^exponent
   int exponent;
 
-  // The last side that is not above x, and the first one that is not below. Sides are exact, but their number
-  // is found with a difference that is rounded where x is tiny beside the origin.
-  [[nodiscard]] double sideBelow(double x) const {
-    const double side = std::floor((x - origin) / unit);
-    return origin + side * unit > x ? side - 1.0 : side;
+  // The last bound that is not above x, and the first that is not below. The bounds' positions are exact, but
+  // finding their numbers takes a difference that is rounded if x is tiny beside the origin.
+  [[nodiscard]] double boundBelow(double x) const {
+    const double bound = std::floor((x - origin) / unit);
+    return origin + bound * unit > x ? bound - 1.0 : bound;
   }
-  [[nodiscard]] double sideAbove(double x) const {
-    const double side = std::ceil((x - origin) / unit);
-    return origin + side * unit < x ? side + 1.0 : side;
+  [[nodiscard]] double boundAbove(double x) const {
+    const double bound = std::ceil((x - origin) / unit);
+    return origin + bound * unit < x ? bound + 1.0 : bound;
   }
 };
 
-// The finest frame with lower and upper between sides 0 and 255 in which float32 holds every side exactly:
-// the origin is a multiple of 2^exponent, and no side more than 2^24 of it.
-Frame frameFor(float lower, float upper) {
+// The finest grid that has lower and upper between bounds 0 and 255 and whose every bound is exact in
+// float32: the origin is a multiple of 2^exponent, and no bound is more than 2^24 such units from 0.
+Grid gridFor(float lower, float upper) {
   const float magnitude = std::max(std::abs(lower), std::abs(upper));
-  const float step = (upper - lower) / static_cast<float>(kLargestSide);
-  int exponent = kLowestExponent;
+  const float step = (upper - lower) / static_cast<float>(kMaxBound);
+  int exponent = kMinExponent;
   if (step > 0.0F) exponent = std::max(exponent, std::ilogb(step));
   if (magnitude > 0.0F) exponent = std::max(exponent, std::ilogb(magnitude) - 22);
   for (;; ++exponent) {
     const double unit = std::ldexp(1.0, exponent);
-    const Frame frame{std::floor(double{lower} / unit) * unit, unit, exponent};
-    if (frame.sideAbove(double{upper}) <= kLargestSide) return frame;
+    const Grid grid{std::floor(double{lower} / unit) * unit, unit, exponent};
+    if (grid.boundAbove(double{upper}) <= kMaxBound) return grid;
   }
 }
 
-// Children's boxes in the frame of the node's own box, rounded outwards. A child that is not there has its
-// sides the wrong way round, so that no ray hits it.
+// Quantises the children's boxes in the grid of the node's own box, rounded outwards. A missing child has its
+// bounds the wrong way round, so that no ray hits it.
 void setBoxes(gpu::BvhNode& node, const Box& own, std::span<const Box> children) {
   node.lower = glm::uvec3(0);
   node.upper = glm::uvec3(0);
   node.exponents = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const Frame frame = frameFor(own.lower[axis], own.upper[axis]);
-    node.origin[axis] = static_cast<float>(frame.origin);
-    node.exponents |= static_cast<gpu::uint>(frame.exponent + kExponentBias) << (8 * axis);
+    const Grid grid = gridFor(own.lower[axis], own.upper[axis]);
+    node.origin[axis] = static_cast<float>(grid.origin);
+    node.exponents |= static_cast<gpu::uint>(grid.exponent + kExponentBias) << (8 * axis);
     for (int i = 0; i < kWidth; ++i) {
-      double lower = kLargestSide;
+      double lower = kMaxBound;
       double upper = 0.0;
       if (static_cast<std::size_t>(i) < children.size()) {
-        lower = frame.sideBelow(double{children[i].lower[axis]});
-        upper = frame.sideAbove(double{children[i].upper[axis]});
+        lower = grid.boundBelow(double{children[i].lower[axis]});
+        upper = grid.boundAbove(double{children[i].upper[axis]});
       }
       node.lower[axis] |= static_cast<gpu::uint>(lower) << (8 * i);
       node.upper[axis] |= static_cast<gpu::uint>(upper) << (8 * i);
@@ -73,7 +73,7 @@ void setBoxes(gpu::BvhNode& node, const Box& own, std::span<const Box> children)
   }
 }
 
-// Nodes of the binary tree that become the children of one wide node.
+// Nodes of the binary tree that become children of one wide node.
 struct Children {
   std::array<std::uint32_t, gpu::kNodeWidth> nodes;
   std::size_t count = 0;
@@ -96,7 +96,7 @@ class Widener {
   }
 
  private:
-  // Returns the node reference that stands for the subtree, which lies below `depth` inner nodes.
+  // Returns the node reference of the subtree, which lies below `depth` inner nodes.
   gpu::uint add(std::uint32_t index, std::uint32_t depth) {
     const BvhNode& node = bvh_.nodes[index];
     if (node.count > 0) return addLeaf(node);
@@ -130,8 +130,8 @@ class Widener {
     return leaf.count << gpu::kLeafShift | first;
   }
 
-  // The node's two children, in which an inner one is replaced by its own two while there is room; the one
-  // with the largest surface first, as a ray most likely visits it.
+  // The node's two children; then, while there is room, an inner one is replaced by its own two: always the
+  // one with the largest surface, which a ray is most likely to visit.
   [[nodiscard]] Children open(const BvhNode& node) const {
     Children children;
     children.add(node.left);

@@ -8,20 +8,20 @@
 
 namespace lavaray {
 
-// The tree as it is traversed: inner nodes with up to four children each, whose boxes are kept in 8 bits a
-// side.
+// The tree as traversed: inner nodes with up to four children each, whose boxes are quantised to 8 bits per
+// bound.
 struct WideBvh {
-  // Depth first. Node 0 stands above the root: its only child is the root, be that an inner node or a leaf.
+  // Depth first. Node 0 is above the root: its only child is the root, be that an inner node or a leaf.
   std::vector<gpu::BvhNode> nodes;
   std::vector<std::uint32_t> order;  // the primitives in the order of the leaves
   std::uint32_t depth = 0;           // inner nodes on the longest path
 };
 
-// Each node of the result takes the place of up to three of `bvh`. Throws Error(kInput) where it has more
-// nodes than a node reference can name.
+// Each node of the result replaces up to three of `bvh`. Throws Error(kInput) if there are more nodes than a
+// node reference can address.
 WideBvh widen(const Bvh& bvh);
 
-// The box of a node's child as the shader decodes it, exactly; for tests.
+// The box of a node's child, exactly as the shader decodes it; for tests.
 Box childBox(const gpu::BvhNode& node, int child);
 
 }  // namespace lavaray
