@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
-// Version 1 says that there is no limit by one of nearly 2^63.
+// Version 1 expresses the absence of a limit as one of nearly 2^63.
 constexpr std::uint64_t kNoLimitOfVersion1 = std::uint64_t{1} << 60U;
 
-// The number behind a word at the begin of a line, as in /proc/meminfo and memory.stat.
+// The number after the word that starts a line, as in /proc/meminfo and memory.stat.
 std::optional<std::uint64_t> entry(const fs::path& file, const std::string& word) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> entry(const fs::path& file, const std::string& word
   return std::nullopt;
 }
 
-// Nothing where there is no such file or no number in it ("max").
+// Empty if there is no such file or no number in it ("max").
 std::optional<std::uint64_t> numberIn(const fs::path& file) {
   std::ifstream stream(file);
   std::uint64_t number = 0;
@@ -56,8 +56,9 @@ void tightenByLimit(AvailableMemory& available, int resource, const char* used, 
   tighten(available, difference(limit.rlim_cur, kibibytes("/proc/self/status", used)), text);
 }
 
-// Of a group and of those that it is in; a group may be seen under another path than its own in a container,
-// where the mount's root is the group. What the system has read ahead of files it gives back.
+// Applies the limits of a group and of all groups around it. In a container the group's path may not exist:
+// there the root of the mount is the group. Page cache does not count as used, since the system gives it
+// back.
 void tightenByGroups(AvailableMemory& available, const fs::path& mount, fs::path group, bool isVersion2,
                      std::uint64_t swap) {
   for (group = group.relative_path();; group = group.parent_path()) {
@@ -88,7 +89,7 @@ AvailableMemory availableMemory() {
   tightenByLimit(result, RLIMIT_DATA, "VmData:", "the limit of this process (ulimit -d) leaves");
   std::ifstream groups("/proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {
-    // Like `0::/user.slice`, or `4:memory:/job` in version 1.
+    // Such as `0::/user.slice`, or `4:memory:/job` in version 1.
     const std::size_t first = line.find(':');
     const std::size_t second = line.find(':', first + 1);
     if (second == std::string::npos) continue;

@@ -21,7 +21,8 @@ CheckedStream::CheckedStream(int descriptor) : target_(std::make_unique<Target>(
   stream_ = fopencookie(target_.get(), "wb", functions);
   if (stream_ == nullptr) throw std::system_error(errno, std::generic_category());
   std::setvbuf(stream_, nullptr, _IOFBF, kBufferBytes);
-  // One thread writes, and CImg byte by byte: locking the stream for each of them takes most of the time.
+  // Only one thread writes, and CImg does so byte by byte: locking the stream for each byte would take most
+  // of the time.
   __fsetlocking(stream_, FSETLOCKING_BYCALLER);
 }
 
@@ -35,7 +36,7 @@ std::string CheckedStream::flush() {
   return isWritten ? "" : "a write failed";
 }
 
-// 0 is an error to the stream.
+// To the stream, a result of 0 is an error.
 ssize_t CheckedStream::write(void* cookie, const char* bytes, std::size_t size) {
   Target& target = *static_cast<Target*>(cookie);
   std::size_t done = 0;

@@ -8,18 +8,17 @@
 
 namespace lavaray {
 
-// A stream for writing to a descriptor that remembers why a write failed, which a FILE of the C library
-// forgets.
+// A stream that writes to a descriptor and remembers why a write failed, which a plain FILE forgets.
 class CheckedStream {
  public:
-  // The descriptor stays the caller's. Throws std::system_error.
+  // The caller keeps ownership of the descriptor. Throws std::system_error.
   explicit CheckedStream(int descriptor);
   ~CheckedStream();
   CheckedStream(const CheckedStream&) = delete;
   CheckedStream& operator=(const CheckedStream&) = delete;
 
   [[nodiscard]] std::FILE* get() const { return stream_; }
-  // Writes what is left, and returns why not all of it could be written, or nothing.
+  // Writes what is buffered. Returns why anything so far could not be written; empty if all of it was.
   std::string flush();
 
  private:

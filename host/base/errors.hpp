@@ -5,7 +5,12 @@
 
 namespace lavaray {
 
-// What the process returns. Scripts depend on these, so the numbers are fixed.
+// This room is what every other room builds on: errors, numbers and text, files that are read and written
+// safely, memory and threads. It knows nothing about rendering. Input is read in the same way in every
+// locale, no output file is ever left half written, and every failure is an Error with a sentence for the
+// user.
+
+// The process's exit codes. Scripts depend on these numbers, so they must not change.
 enum class ExitCode : int {
   kSuccess = 0,
   kInternalError = 1,
@@ -20,8 +25,8 @@ enum class ExitCode : int {
   kEnded = 143,
 };
 
-// Bad input or a bad environment. The message is a sentence for the user; main prints it and returns
-// the exit code. What can only be a defect of the program itself is an assertion or a std::logic_error.
+// Bad input or a bad environment. The message is a sentence for the user: main prints it and returns the exit
+// code. A defect of the program itself is an assertion or a std::logic_error instead.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode exitCode, const std::string& message) : std::runtime_error(message), exitCode_(exitCode) {}

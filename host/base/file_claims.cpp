@@ -15,7 +15,7 @@ namespace lavaray {
 namespace fs = std::filesystem;
 namespace {
 
-// As the system's own limit for a path.
+// The system's own limit for the links in a path.
 constexpr int kMaxLinks = 40;
 
 constexpr const char* kWouldReplace = " would replace";
@@ -28,7 +28,7 @@ struct Claim {
 };
 
 std::mutex mutex;
-std::map<fs::path, std::string> readFiles;  // by the names that they were read by
+std::map<fs::path, std::string> readFiles;  // what each is, by the name it was read by
 std::map<int, Claim> claims;
 int lastClaim = 0;
 
@@ -50,8 +50,8 @@ std::string named(const fs::path& file) {
               output + " " + what + " " + named(file) + ", which is read; give another name");
 }
 
-// Looks each file up by its name again: an editor replaces a file by another of the same name, and the system
-// gives the number of the old one to whatever is made next.
+// Looks up each file by name anew: an editor replaces a file with another of the same name, and the system
+// reuses the old one's inode number for whatever is created next.
 void failWhereRead(const struct stat& target, const std::string& output, const fs::path& except) {
   for (const auto& [file, what] : readFiles) {
     if (file == except) continue;
@@ -90,7 +90,7 @@ WriteTarget::WriteTarget(const fs::path& name) : path(name) {
   std::error_code none;
   for (int links = 0; fs::is_symlink(path, none); ++links) {
     if (links == kMaxLinks) throw std::system_error(ELOOP, std::generic_category());
-    // An absolute target stands for itself.
+    // operator/ drops the parent if the target is absolute.
     path = path.parent_path() / fs::read_symlink(path);
   }
   old = statusOf(path);

@@ -8,39 +8,40 @@
 
 namespace lavaray {
 
-// No file that the process reads is ever what it writes, nor do two outputs share a file, by whatever name or
-// link. Whatever opens a file for reading notes it here, and OutputFile claims what it is to replace.
+// Makes sure that the process never overwrites a file that it reads, and that no two outputs share a file, by
+// whatever name or link. Whoever opens a file for reading notes it here, and OutputFile claims what it is to
+// replace.
 
-// `what` is for messages: "the scene". Of several notes of one name the first counts. Throws Error(kUsage)
-// where the file is claimed for writing.
+// `what` is for messages: "the scene". If a name is noted more than once, the first note counts. Throws
+// Error(kUsage) if the file is claimed for writing.
 void noteRead(const std::filesystem::path& file, const std::string& what = "the file");
 
-// For a process that goes on without that file.
+// For a process that runs on without using that file any more.
 void forgetRead(const std::filesystem::path& file);
 
-// For a file that is written without being replaced, as the standard output may be. Throws Error(kUsage)
-// where it is one that is read.
+// For a file that is written in place, as standard output may be. Throws Error(kUsage) if it is one that is
+// read.
 void checkNotRead(int descriptor, const std::string& output);
 
-// The file that a name for writing stands for.
+// The file that an output's name refers to.
 struct WriteTarget {
-  // Follows symbolic links, also to a file that is not there yet. Throws std::system_error where they have no
-  // end.
+  // Follows symbolic links, even to a file that does not exist yet. Throws std::system_error if they form a
+  // loop.
   explicit WriteTarget(const std::filesystem::path& name);
 
   [[nodiscard]] std::filesystem::path folder() const;
   [[nodiscard]] bool isSameAs(const WriteTarget& other) const;
 
   std::filesystem::path path;
-  std::optional<struct stat> old;  // of what is there
+  std::optional<struct stat> old;  // of the file that exists there, if any
 };
 
-// A claim of a file for writing, as long as it lives.
+// Claims a file for writing for as long as the object lives.
 class WriteClaim {
  public:
-  // `option` is the one that names the file; `mayReplace` a file that is read and may be replaced nonetheless
-  // (a film that a render goes on from), or empty. Throws Error(kUsage) where the file is another that is
-  // read or is claimed already.
+  // `option` is the command-line option that names the file. `mayReplace`, if not empty, is a file that is
+  // read but may be replaced all the same (a film that a render resumes). Throws Error(kUsage) if the file is
+  // any other that is read, or is claimed already.
   WriteClaim(const WriteTarget& target, const std::filesystem::path& name, const std::string& option,
              const std::filesystem::path& mayReplace);
   ~WriteClaim();

@@ -7,9 +7,9 @@
 
 namespace lavaray {
 
-// Asks the system for huge pages for memory that nobody has touched yet. A first touch of each small page is
-// a fault: for the pixels of a picture they take as long as tracing it, where the scene is simple. A wish,
-// which may be refused.
+// Asks the system to back untouched memory with huge pages. Every small page costs a fault when it is first
+// touched: for an image's pixels that takes as long as tracing them if the scene is simple. The system may
+// refuse.
 inline void preferHugePages(void* memory, std::size_t bytes) {
   constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21U;
   const auto begin = reinterpret_cast<std::uintptr_t>(memory);

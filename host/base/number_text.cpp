@@ -12,14 +12,14 @@
 namespace lavaray {
 namespace {
 
-// std::from_chars takes a minus but no plus.
+// std::from_chars accepts a minus but not a plus.
 std::string_view withoutPlus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
 }
 
-// std::from_chars says "out of range" of numbers too large and too small alike. This tells them apart by the
-// decimal exponent of the leading digit, whose sign is enough beyond 1e308 and below 1e-308.
+// std::from_chars reports "out of range" for numbers too large and too small alike. This tells them apart by
+// the decimal exponent of the leading digit: beyond 1e308 and below 1e-308 its sign is enough.
 bool isTooSmall(std::string_view literal) {
   const std::size_t e = std::min(literal.find_first_of("eE"), literal.size());
   const std::string_view mantissa = literal.substr(0, e);

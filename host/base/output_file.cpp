@@ -34,16 +34,16 @@ bool isMountPoint(const fs::path& file) {
          (status.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
 }
 
-// Why no other file can take the place of this one; empty where one can. The system itself is asked: rmdir()
-// refuses any ordinary file, but says so only where it might be taken out of its folder. It might not where
-// it is immutable, or another user's in a sticky folder.
+// Why this file cannot be replaced with another; empty if it can. Asks the system itself: rmdir() refuses
+// every ordinary file, but with ENOTDIR only if the file could be removed from its folder. It could not if it
+// is immutable, or belongs to another user in a sticky folder.
 std::string whyIrreplaceable(const fs::path& file) {
   if (isMountPoint(file)) return "something is mounted there";
   if (rmdir(file.c_str()) == 0 || errno == ENOTDIR) return {};
   return std::strerror(errno);
 }
 
-// Why no file can have this name; empty where one can, or has.
+// Why no file can have this name; empty if one can, or already has.
 std::string whyImpossible(const fs::path& file) {
   struct stat status {};
   return lstat(file.c_str(), &status) == 0 || errno == ENOENT ? std::string() : std::strerror(errno);
@@ -73,7 +73,7 @@ OutputFile::OutputFile(const OutputName& output)
 
 void OutputFile::commit() {
   if (const std::string reason = stream_->flush(); !reason.empty()) fail(name_, reason);
-  // Some network file systems tell only now that there is no room.
+  // Some network file systems report only on close that there is no space.
   const int copy = dup(temporary_->descriptor());
   if (copy < 0 || close(copy) != 0) fail(name_, std::strerror(errno));
   try {
@@ -93,7 +93,7 @@ void checkOutputs(std::span<const OutputName> outputs) {
     try {
       claims.emplace_back(WriteTarget(output.file), output.file, output.option, output.mayReplace);
     } catch (const std::system_error&) {
-      // Links without an end; writing will fail.
+      // A loop of links: opening the file will report it.
     }
   }
 }

@@ -12,29 +12,29 @@
 
 namespace lavaray {
 
-// A file to be written, as the command line names it.
+// A file to write, as named on the command line.
 struct OutputName {
   std::string option;
   std::filesystem::path file;
-  // A file that is read and may be replaced nonetheless: a film that a render goes on from, by a checkpoint.
+  // A file that is read but may be replaced all the same: a film that a render resumes, by a checkpoint.
   std::filesystem::path mayReplace = {};
 };
 
-// A file that comes into being whole or not at all: it is written beside its place and takes it by commit().
-// Without that it vanishes, and what was there before stays. Behind a symbolic link the file that it points
-// to is replaced, not the link.
+// A file that is created whole or not at all: it is written in the target's folder and replaces the target in
+// commit(). Without that call it vanishes, and whatever was there before stays. If the target is a symbolic
+// link, the file that it points to is replaced, not the link.
 class OutputFile {
  public:
-  // Finds out now what would make commit() fail. Throws Error(kOutput) where the folder cannot be written to,
-  // or what is there is no ordinary file or may not be replaced; Error(kUsage) where it is a file that is
-  // read, or that is being written already.
+  // Finds out now what would make commit() fail. Throws Error(kOutput) if the folder cannot be written to, or
+  // if what is there is not an ordinary file or cannot be replaced; Error(kUsage) if it is a file that is
+  // read or is being written already.
   explicit OutputFile(const OutputName& output);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   [[nodiscard]] std::FILE* stream() const { return stream_->get(); }
-  // Throws Error(kOutput) where not everything could be written; where it was, but the file cannot take its
-  // place, it stays under a name that the message tells.
+  // Throws Error(kOutput) if not everything could be written. If everything was but the target cannot be
+  // replaced, the file is kept under a name that the message gives.
   void commit();
 
  private:
@@ -45,8 +45,8 @@ class OutputFile {
   std::optional<CheckedStream> stream_;
 };
 
-// Before anything is read: throws Error(kUsage) where one of the files is one that is read, or two are the
-// same. Whether they can be written is for OutputFile to find out.
+// For use before anything is read: throws Error(kUsage) if one of the files is one that is read, or if two
+// are the same. Whether they can be written is for OutputFile to find out.
 void checkOutputs(std::span<const OutputName> outputs);
 
 }  // namespace lavaray

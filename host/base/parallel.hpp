@@ -13,8 +13,8 @@ inline unsigned hardwareThreads() {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-// Calls work(i) for each i in [0, count) on up to `threads` threads, the caller's among them, and returns
-// when all are done. `work` must not throw, and its calls must not depend on one another.
+// Calls work(i) for each i in [0, count) on up to `threads` threads, including the caller's, and returns when
+// all calls are done. `work` must not throw, and its calls must not depend on one another.
 template <typename Work>
 void parallelFor(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -25,7 +25,7 @@ void parallelFor(std::size_t count, unsigned threads, const Work& work) {
   try {
     for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) helpers.emplace_back(loop);
   } catch (const std::system_error&) {
-    // A limit on threads or memory: those that are there do the work.
+    // A limit on threads or memory: the threads that were started do the work.
   }
   loop();
 }

@@ -5,7 +5,7 @@
 
 namespace lavaray {
 
-// Text of a user's in one line that a terminal prints as it is: control characters are replaced.
+// Makes user-supplied text safe to print on one line of a terminal: control characters become question marks.
 inline std::string printable(std::string_view text) {
   std::string result(text);
   for (char& c : result) {

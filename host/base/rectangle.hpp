@@ -10,7 +10,7 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-// The pixels x0 <= x < x1, y0 <= y < y1 of an image, y from the top.
+// The pixels x0 <= x < x1, y0 <= y < y1 of an image; y counts from the top.
 struct Rectangle {
   int x0 = 0;
   int y0 = 0;

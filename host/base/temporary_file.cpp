@@ -21,11 +21,11 @@ namespace lavaray {
 namespace fs = std::filesystem;
 namespace {
 
-// What tells a temporary name from any other.
+// Tells a temporary name from any other.
 constexpr std::string_view kMark = ".lavaray-";
 constexpr std::size_t kRandomLetters = 6;
 
-// Where a signal handler can read them; more than a program ever writes at a time.
+// Stored where a signal handler can read them; more than the program ever writes at a time.
 std::array<std::atomic<const char*>, 16> temporaries{};
 static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler may read it");
 std::atomic<pid_t> owner{0};
@@ -51,13 +51,13 @@ std::string randomLetters() {
   return letters;
 }
 
-// Whether no process has it locked any more; it stays locked as long as the descriptor is open. Where files
-// cannot be locked nothing is known, so none is.
+// False if another process holds the lock, or if the file system has no locks: then nothing is known. The
+// lock lasts as long as the descriptor is open.
 bool lock(int descriptor) {
   return flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
 
-// As open(2), for writing by this process alone.
+// Like open(2), for writing by this process alone.
 int openNew(const fs::path& path, int flags) {
   return open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0666);
 }
@@ -80,8 +80,8 @@ TemporaryFile::~TemporaryFile() {
   close(descriptor_);
 }
 
-// Whether a file without a name could be made, and another like it named: that is not to fail at the end. (A
-// name that was taken away cannot be given again.)
+// Whether it made a file without a name. Makes and names another one first, so that naming does not turn out
+// to be impossible at the end. (A file whose name was removed cannot be given a new one.)
 bool TemporaryFile::openUnnamed() {
   descriptor_ = openNew(folder_, O_TMPFILE);
   if (descriptor_ < 0) return false;
@@ -97,11 +97,11 @@ bool TemporaryFile::openUnnamed() {
 
 void TemporaryFile::openNamed() {
   for (;;) {
-    setName(newName());  // before it is there, so that no signal comes in between
+    setName(newName());  // before the file exists, so that no signal can come in between
     descriptor_ = openNew(name_, O_CREAT | O_EXCL);
     const int reason = errno;
     struct stat status {};
-    // Another process may have taken it for a leftover before it was locked.
+    // Another process may have removed it as a leftover before it was locked.
     if (descriptor_ >= 0 && (lock(descriptor_) || errno != EWOULDBLOCK) && fstat(descriptor_, &status) == 0 &&
         status.st_nlink > 0)
       return;
@@ -161,8 +161,8 @@ void TemporaryFile::forgetName() {
   name_.clear();
 }
 
-// What processes that were killed have left. Wrong only where two machines write one file at a time in a
-// folder that they share without sharing its locks.
+// Removes what killed processes have left behind. Goes wrong only if two machines write the same file at
+// once, in a folder that they share without sharing its locks.
 void TemporaryFile::removeLeftovers() const {
   const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir(folder_.c_str()), closedir);
   if (!folder) return;

@@ -6,7 +6,7 @@
 namespace lavaray {
 namespace {
 
-// Where the last line in [from, text.size()) ends that does not go on; 0 where there is none.
+// The end of the last line in [from, text.size()) that is not continued in the next; 0 if there is none.
 std::size_t lastLineEnd(std::string_view text, std::size_t from) {
   for (std::size_t end = text.size();;) {
     const std::size_t lf = text.substr(0, end).rfind('\n');
@@ -31,7 +31,7 @@ bool TextBlocks::isAtEnd() const {
   return sourceEnded_ && rest_.empty();
 }
 
-// The size of the block. Behind it the buffer may have anything: it keeps its size for the next block.
+// Returns the size of the block. The buffer may be larger: it keeps its size for the next block.
 std::size_t TextBlocks::fill(std::vector<char>& buffer) {
   std::size_t length = rest_.size();
   if (buffer.size() < length + bytes_ + 1) buffer.resize(length + bytes_ + 1);
@@ -40,11 +40,11 @@ std::size_t TextBlocks::fill(std::vector<char>& buffer) {
   std::size_t end = 0;
   for (std::size_t wanted = bytes_; !sourceEnded_ && end == 0; wanted = length) {
     if (buffer.size() < length + wanted + 1) buffer.resize(length + wanted + 1);
-    sourceEnded_ = true;  // until the source has told otherwise, by an exception as well
+    sourceEnded_ = true;  // unless the source proves otherwise; so it stays set if the source throws
     const std::size_t count = read_(std::span(buffer).subspan(length, wanted));
     sourceEnded_ = count < wanted;
     end = lastLineEnd({buffer.data(), length + count}, length);
-    // What has a NUL byte is no text, and its lines may have no end.
+    // Anything with a NUL byte is not text, and its lines may never end.
     const bool isText = std::string_view(buffer.data() + length, count).find('\0') == std::string_view::npos;
     length += count;
     if (end == 0 && !isText) end = length;

@@ -9,15 +9,15 @@
 
 namespace lavaray {
 
-// Fills the bytes as far as the source goes and returns how many it filled. May throw.
-using ReadBytes = std::function<std::size_t(std::span<char>)>;
+// Fills `bytes`, or as many of them as the source has left, and returns how many it filled. May throw.
+using ReadBytes = std::function<std::size_t(std::span<char> bytes)>;
 
-// Cuts a text into blocks for several threads while it is read, so that it is never in memory as a whole. A
-// block ends where a line ends with LF that has no `\` in front of it: a line that goes on in the next one is
-// in one block with it. The text's last line gets an LF if it has none.
+// Cuts a text into blocks for several threads as it is read, so that it is never in memory as a whole. A
+// block ends at an LF without a `\` before it, so a line is in the same block as its continuation. If the
+// text's last line has no LF, it gets one.
 class TextBlocks {
  public:
-  // Blocks have about so many bytes, > 0, more where a line is longer.
+  // Blocks have about `bytes` bytes, > 0, or more if a line is longer.
   TextBlocks(ReadBytes read, std::size_t bytes) : read_(std::move(read)), bytes_(bytes) {}
 
   struct Block {
@@ -25,11 +25,11 @@ class TextBlocks {
     std::span<char> text;  // never empty, ends with LF or has a NUL byte
   };
 
-  // The next block, read into `buffer`; nothing at the end. May be called by several threads. Once it has
-  // thrown what the source threw, there are no more blocks.
+  // The next block, read into `buffer`; empty at the end. Safe to call from several threads. Passes on
+  // whatever the source throws; after that there are no more blocks.
   std::optional<Block> next(std::vector<char>& buffer);
 
-  // Whether the last block has been returned, or the end is not known yet.
+  // Whether it is known that the last block has been returned.
   [[nodiscard]] bool isAtEnd() const;
 
  private:
@@ -38,7 +38,7 @@ class TextBlocks {
   mutable std::mutex mutex_;
   ReadBytes read_;
   std::size_t bytes_;
-  std::vector<char> rest_;  // read, but behind the last block's end
+  std::vector<char> rest_;  // read already, but beyond the last block's end
   std::size_t count_ = 0;
   bool sourceEnded_ = false;
 };

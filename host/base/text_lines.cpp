@@ -8,14 +8,13 @@ namespace lavaray {
 namespace {
 
 constexpr std::string_view kWhiteSpace = " \t";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 
 void rejectNulBytes(std::string_view text, const std::filesystem::path& file) {
   const std::size_t position = text.find('\0');
   if (position == std::string_view::npos) return;
-  // The byte is part of the last line of what precedes it and itself.
+  // The text up to and including the byte ends in the byte's line.
   failAtNulByte({file, countLines(text.substr(0, position + 1))});
 }
 
@@ -23,8 +22,8 @@ void failAtNulByte(const TextLocation& location) {
   failAt(location, "a NUL byte, allowed is plain text in ASCII or UTF-8");
 }
 
-Lines::Lines(std::string_view text, std::size_t linesBefore) : text_(text), number_(linesBefore) {
-  if (linesBefore == 0 && text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+Lines::Lines(std::string_view text) : text_(text) {
+  if (text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
   findLf();
 }
 

@@ -14,8 +14,8 @@ void failAt(const TextLocation& location, std::string_view message) {
 }
 
 std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  return '"' + printable(text.substr(0, kLongest)) + (text.size() > kLongest ? "...\"" : "\"");
+  constexpr std::size_t kMaxLength = 60;
+  return '"' + printable(text.substr(0, kMaxLength)) + (text.size() > kMaxLength ? "...\"" : "\"");
 }
 
 std::string backticked(std::string_view word) {

@@ -28,8 +28,8 @@ struct UninitializedAllocator : std::allocator<T> {
   }
 };
 
-// A vector whose resize() leaves new elements unwritten: for large arrays that several threads then fill, so
-// that these and not the caller have the memory paged in, and only where they write.
+// A vector whose resize() leaves new elements uninitialised: for large arrays that several threads then fill,
+// so that the page faults fall to those threads instead of the caller, and only where something is written.
 template <typename T>
 using UninitializedVector = std::vector<T, UninitializedAllocator<T>>;
 
