@@ -8,7 +8,7 @@
 namespace lavaray {
 
 std::optional<ImageSize> imageSize(const Camera& camera) {
-  // Without the guard tan(45 degrees) = 0.99999999999999989 would cost the image of a round f its last row.
+  // Without the guard, tan(45 degrees) = 0.99999999999999989 would cost the image of a round f its last row.
   constexpr double kGuard = 1e-6;
   const double halfFov = camera.fovDegrees * std::numbers::pi / 360.0;
   const double height = std::trunc(2.0 * camera.focalLength * std::tan(halfFov) + kGuard);

@@ -7,12 +7,13 @@
 
 #include "base/limits.hpp"
 #include "base/number_text.hpp"
+#include "base/text_lines.hpp"
 #include "base/text_location.hpp"
 
 namespace lavaray {
 namespace {
 
-// Up to the first character that is one of these.
+// The text up to the first of these characters.
 std::string_view upTo(std::string_view ends, const char* begin, const char* end) {
   const std::string_view text(begin, end);
   return text.substr(0, text.find_first_of(ends));
@@ -22,7 +23,8 @@ std::string_view wordAt(const char* begin, const char* end) {
   return upTo(" \t\r\n#\\", begin, end);
 }
 
-// How older C libraries of Windows write infinity and NaN behind "1." or "-1.". No comment begins there.
+// The rest of infinity or NaN as older Windows C libraries write them, after "1." or "-1."; empty if it is
+// not that. The # does not start a comment there.
 std::string_view oldNotFinite(std::string_view text) {
   const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n\\"));
   for (const std::string_view name : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
@@ -51,23 +53,22 @@ void ObjCursor::failPosition(const char* word) const {
 }
 
 void ObjCursor::skipByteOrderMark() {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (std::string_view(at_, end_).starts_with(kByteOrderMark)) at_ += kByteOrderMark.size();
 }
 
-// From `\` to the beginning of the next line; false where there is none.
-bool ObjCursor::goOn() {
+// Advances from `\` to the start of the next line; false if there is none.
+bool ObjCursor::continueLine() {
   ++at_;
   if (!isLineEnd(*at_))
     fail("`\\` in the middle of a line, which goes on in the next one where `\\` ends it");
-  const char* const next = behindLineEnd();
+  const char* const next = afterLineEnd();
   if (next == end_) return false;
   at_ = next;
   ++line_;
   return true;
 }
 
-// Whatever is long, has an exponent, is not finite or is no number.
+// Handles whatever is long, has an exponent, is not finite or is not a number.
 double ObjCursor::takeUnusualNumber() {
   const std::string_view word = wordAt(at_, end_);
   const std::optional<double> number = parseDecimal(word);
@@ -104,8 +105,8 @@ const char* ObjCursor::lineEnd() {
   return cr == nullptr ? lf_ : cr;
 }
 
-// at_ is where the line ends. CRs in front of an LF belong to it.
-const char* ObjCursor::behindLineEnd() {
+// at_ is at the line's end. CRs before an LF belong to it.
+const char* ObjCursor::afterLineEnd() {
   if (*at_ == '\n') return at_ + 1;
   if (crsEnd_ <= at_) {
     crsEnd_ = at_;

@@ -11,47 +11,47 @@
 
 namespace lavaray {
 
-// What a corner of a face names.
+// The vertices that a corner of a face refers to.
 struct ObjCorner {
   ObjIndex position = kObjAbsent;
   ObjIndex normal = kObjAbsent;
 };
 
-// A place in the lines of an OBJ text. They end as those of `Lines` do: with LF, CR LF or a lone CR. In a
-// statement that is read, `\` as the last character of a line makes it go on in the next one, and a comment
-// begins wherever `#` stands. What takes a word goes behind it.
+// A position in an OBJ text. Lines end as those of `Lines` do: with LF, CR LF or a lone CR. Within a
+// statement, `\` as a line's last character continues it in the next line, and `#` anywhere starts a comment.
+// The functions that take a word advance past it.
 class ObjCursor {
  public:
-  // The text ends with LF.
+  // The text must end with LF.
   explicit ObjCursor(std::span<const char> text)
       : at_(text.data()), end_(at_ + text.size()), lf_(at_), crsEnd_(at_) {}
 
   [[nodiscard]] bool isAtEnd() const { return at_ == end_; }
   [[nodiscard]] std::size_t line() const { return line_; }  // from 1
 
-  // Throws an ObjProblem in this line.
+  // Throws an ObjProblem at the current line.
   [[noreturn]] void fail(const std::string& message) const;
 
   void skipByteOrderMark();
 
-  // Goes behind blanks and, if that is the line's next word, the keyword.
+  // Skips blanks and then, if it is the line's next word, the keyword. Returns whether it was.
   bool takeKeyword(std::string_view keyword) {
     while (isBlank(*at_)) ++at_;
     const char* word = at_;
     for (const char c : keyword) {
-      if (*word++ != c) return false;  // an LF at the latest
+      if (*word++ != c) return false;  // stops at an LF at the latest
     }
     if (!endsWord(*word)) return false;
     at_ = word;
     return true;
   }
 
-  // Goes to the next word of a statement; false where it ends.
+  // Advances to the statement's next word; false if it has no more.
   bool findWord() {
     for (;;) {
       while (isBlank(*at_)) ++at_;
       if (*at_ != '\\') return !endsWord(*at_);
-      if (!goOn()) return false;
+      if (!continueLine()) return false;
     }
   }
 
@@ -64,7 +64,7 @@ class ObjCursor {
     return number;
   }
 
-  // v, v/vt, v//vn or v/vt/vn; what is behind a slash may be missing.
+  // v, v/vt, v//vn or v/vt/vn; whatever follows a slash may be missing.
   ObjCorner takeCorner() {
     const char* const word = at_;
     ObjCorner corner;
@@ -88,10 +88,10 @@ class ObjCursor {
 
   void skipWords();
 
-  // Goes behind the end of the line.
+  // Advances to the start of the next line.
   void skipLine() {
     if (!isLineEnd(*at_)) at_ = lineEnd();
-    at_ = behindLineEnd();
+    at_ = afterLineEnd();
     ++line_;
   }
 
@@ -100,33 +100,34 @@ class ObjCursor {
   static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
   static bool endsWord(char c) { return isBlank(c) || isLineEnd(c) || c == '#' || c == '\\'; }
 
-  // False where there is no whole number. One that no index can be is kObjWrong.
+  // False if there is no integer. One that cannot be an index becomes kObjWrong.
   bool takeIndex(ObjIndex& index) {
     const bool isNegative = *at_ == '-';
     if (isNegative || *at_ == '+') ++at_;
     const char* const first = at_;
     std::int32_t value = 0;
-    // What is longer is read again.
-    constexpr std::ptrdiff_t kMostDigits = 9;
-    while (isDigit(*at_) && at_ - first < kMostDigits) value = 10 * value + (*at_++ - '0');
+    // Longer ones are read again by takeLongIndex.
+    constexpr std::ptrdiff_t kMaxDigits = 9;
+    while (isDigit(*at_) && at_ - first < kMaxDigits) value = 10 * value + (*at_++ - '0');
     index = isNegative ? -value : value;
     if (isDigit(*at_)) index = takeLongIndex(first, isNegative);
     return at_ != first;
   }
 
-  bool goOn();
+  bool continueLine();
   double takeUnusualNumber();
   ObjIndex takeLongIndex(const char* digits, bool isNegative);
   [[noreturn]] void failCorner(const char* word) const;
   [[noreturn]] void failPosition(const char* word) const;
   [[nodiscard]] const char* lineEnd();
-  [[nodiscard]] const char* behindLineEnd();
+  [[nodiscard]] const char* afterLineEnd();
 
   const char* at_;
   const char* end_;
-  // Looked for once, not for each line that a lone CR ends: such a text would be read again and again.
-  const char* lf_;      // the next one, or one before at_
-  const char* crsEnd_;  // behind the CRs that follow one another at at_, or not behind at_
+  // Searched for once, not for every line that ends with a lone CR: such a text would be scanned again and
+  // again.
+  const char* lf_;      // the next LF; out of date if before at_
+  const char* crsEnd_;  // end of the run of CRs at at_; out of date if not after at_
   std::size_t line_ = 1;
 };
 

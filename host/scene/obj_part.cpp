@@ -17,13 +17,13 @@ class PartReader {
  public:
   PartReader(std::span<const char> text, ObjPart& part) : cursor_(text), part_(part) {}
 
-  // Returns how many lines there are.
+  // Returns the number of lines.
   std::size_t read(bool isFirst) {
     if (isFirst) cursor_.skipByteOrderMark();
     for (; !cursor_.isAtEnd(); cursor_.skipLine()) {
       line_ = cursor_.line();
       if (cursor_.takeKeyword("v")) {
-        // x y z, then w or a colour or both: only x y z matter here.
+        // x y z, then w or a colour or both; only x y z matter here.
         readPosition();
       } else if (cursor_.takeKeyword("f")) {
         readFace();
@@ -50,7 +50,7 @@ class PartReader {
     part_.normals.push_back(normal);
   }
 
-  // The first three numbers of the statement.
+  // Returns the first three numbers of the statement.
   glm::dvec3 takeVector(std::string_view keyword, std::initializer_list<std::size_t> allowedCounts) {
     glm::dvec3 result(0.0);
     std::size_t count = 0;
@@ -113,7 +113,7 @@ class PartReader {
 
   ObjCursor cursor_;
   ObjPart& part_;
-  std::size_t line_ = 0;  // that the statement begins in
+  std::size_t line_ = 0;  // where the statement begins
 };
 
 }  // namespace

@@ -22,7 +22,7 @@
 namespace lavaray {
 namespace {
 
-// The parts of a text, in its order.
+// Reads the parts of a text, in order.
 class PartsReader {
  public:
   PartsReader(ReadBytes read, std::size_t partBytes) : blocks_(std::move(read), partBytes) {}
@@ -44,9 +44,9 @@ class PartsReader {
       ObjPart part;
       while (const auto block = isNoText_ ? std::nullopt : blocks_.next(buffer)) {
         scanObjPart(block->text, block->number == 0, part);
-        // The blocks before are being read; what follows may have no end, as of a device.
+        // The blocks before this one are being read already; what follows may never end, as with a device.
         if (part.lineOfNul) isNoText_ = true;
-        // What is kept is a copy, since that has no spare memory.
+        // Keeps a copy, because a copy has no spare capacity.
         slot(block->number) = part;
         if (onlyOne) return;
       }
@@ -65,7 +65,7 @@ class PartsReader {
   TextBlocks blocks_;
   std::atomic<bool> isNoText_{false};
   std::mutex mutex_;
-  std::deque<ObjPart> parts_;  // whose elements stay where they are while it grows
+  std::deque<ObjPart> parts_;  // a deque: its elements do not move as it grows
   std::exception_ptr error_;
 };
 
@@ -74,13 +74,13 @@ std::vector<ObjCounts> countBefore(const std::deque<ObjPart>& parts) {
   for (const ObjPart& part : parts) {
     const ObjCounts& last = counts.back();
     counts.push_back({last.lines + part.lines, last.positions + part.positions.size(),
-                      last.normals + part.normals.size(), last.triangles + countTriangles(part)});
+                      last.normals + part.normals.size(), last.triangles + maxTriangles(part)});
   }
   return counts;
 }
 
-// Throws what is wrong first in the file, as far as that can be known without looking at what an index points
-// at. But NUL bytes come before anything else, as they say that the file is no text.
+// Throws the first error in the file that can be found without following an index. But a NUL byte takes
+// precedence over everything else, since it means that the file is not text.
 void failIfWrong(const std::deque<ObjPart>& parts, const std::vector<ObjCounts>& before,
                  const std::filesystem::path& file) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -97,7 +97,7 @@ void failIfWrong(const std::deque<ObjPart>& parts, const std::vector<ObjCounts>&
   }
 }
 
-// The positions and normals, which the parts then have no more.
+// Moves all positions and normals out of the parts.
 ObjWhole join(std::deque<ObjPart>& parts, const ObjCounts& counts, const std::filesystem::path& file) {
   ObjWhole whole;
   whole.mesh.file = file;
@@ -119,12 +119,12 @@ std::vector<ObjTriangles> addTriangles(std::deque<ObjPart>& parts, const std::ve
   std::vector<MeshTriangle> triangles(before.back().triangles);
   std::vector<ObjTriangles> results(parts.size());
   parallelFor(parts.size(), hardwareThreads(), [&](std::size_t i) {
-    const std::size_t most = before[i + 1].triangles - before[i].triangles;
+    const std::size_t max = before[i + 1].triangles - before[i].triangles;
     results[i] =
-        makeTriangles(parts[i], before[i], whole, std::span(triangles).subspan(before[i].triangles, most));
+        makeTriangles(parts[i], before[i], whole, std::span(triangles).subspan(before[i].triangles, max));
     parts[i] = {};
   });
-  // Closes the gaps that degenerate triangles left.
+  // Closes the gaps that degenerate triangles leave.
   auto end = triangles.begin();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (results[i].error) std::rethrow_exception(results[i].error);
@@ -139,25 +139,25 @@ std::vector<ObjTriangles> addTriangles(std::deque<ObjPart>& parts, const std::ve
 }
 
 std::string changeText(ObjChange change, const ObjChanges& changes) {
-  const bool isOne = changes.count == 1;
-  const std::string faces = std::to_string(changes.count) + (isOne ? " face" : " faces");
+  const bool isOne = changes.faces == 1;
+  const std::string faces = std::to_string(changes.faces) + (isOne ? " face" : " faces");
   const std::string first = isOne ? "" : ", the first in this line";
-  if (change == kObjFaceDropped)
+  if (change == ObjChange::kFaceDropped)
     return faces + " of one or two corners " + (isOne ? "is" : "are") + " dropped" + first;
   const std::string own = faces + (isOne ? " has its" : " have their") + " own normal" + first + ": ";
-  if (change == kObjNormalMissing) return own + "an index of a normal is 0 or out of range";
-  if (change == kObjNormalZero) return own + "a normal is zero or not finite";
+  if (change == ObjChange::kNormalMissing) return own + "an index of a normal is 0 or out of range";
+  if (change == ObjChange::kNormalZero) return own + "a normal is zero or not finite";
   return own + "only some corners have a normal";
 }
 
 void addWarnings(const std::vector<ObjTriangles>& parts, Mesh& mesh) {
-  for (const ObjChange change : {kObjFaceDropped, kObjNormalMissing, kObjNormalZero, kObjNormalsOnSome}) {
+  for (const ObjChange change : kObjChanges) {
     ObjChanges all;
     for (const ObjTriangles& part : parts) {
-      if (all.count == 0) all.firstLine = part.changes[change].firstLine;
-      all.count += part.changes[change].count;
+      if (all.faces == 0) all.firstLine = part.of(change).firstLine;
+      all.faces += part.of(change).faces;
     }
-    if (all.count > 0)
+    if (all.faces > 0)
       mesh.warnings.push_back(messageAt({mesh.file, all.firstLine}, changeText(change, all)));
   }
 }
@@ -174,7 +174,7 @@ Mesh readMesh(const ReadBytes& read, const std::filesystem::path& file, std::siz
     failAt({file, lastLine}, "no face with an area, allowed is a mesh of at least one");
   }
   addWarnings(triangles, mesh);
-  // No face uses those that are not finite.
+  // No face uses a position that is not finite.
   if (whole.hasInfinitePositions)
     std::ranges::replace_if(
         mesh.positions, [](const glm::dvec3& p) { return !isFinite(p); }, glm::dvec3(0.0));
@@ -184,7 +184,7 @@ Mesh readMesh(const ReadBytes& read, const std::filesystem::path& file, std::siz
 }  // namespace
 
 Mesh readObj(const std::filesystem::path& file) {
-  // Only what opening and reading throw: threads that cannot be had are no fault of the file.
+  // Catches only what opening and reading throw: a thread that cannot be started is not the file's fault.
   const auto orUnreadable = [&](const auto& read) {
     try {
       return read();

@@ -13,9 +13,9 @@ namespace lavaray {
 namespace {
 
 struct ObjFace {
-  const ObjFaces& like;
+  const ObjFaces& run;  // the faces that it is one of
   std::size_t firstCorner;
-  std::size_t line;  // of the part, that it begins in
+  std::size_t line;  // of the part, where it begins
 };
 
 // Calls work(face) for each face of the part.
@@ -28,7 +28,7 @@ void forEachFace(const ObjPart& part, const Work& work) {
   }
 }
 
-// An index that counts from 0. Below 0 where the file's counts back beyond its beginning.
+// The index counted from 0; negative if it counts back beyond the start of the file.
 long long fromZero(ObjIndex index, std::size_t before) {
   return index > 0 ? index - 1LL : static_cast<long long>(before) + index;
 }
@@ -52,25 +52,25 @@ class Splitter {
   void split() {
     forEachFace(part_, [&](const ObjFace& face) {
       readPositions(face);
-      if (face.like.corners < 3) {
-        note(kObjFaceDropped, face);
+      if (face.run.corners < 3) {
+        note(ObjChange::kFaceDropped, face);
         return;
       }
       const std::optional<ObjChange> change = readNormals(face);
       const std::size_t first = result_.count;
       addTriangles();
       const std::size_t count = result_.count - first;
-      result_.degenerate += face.like.corners - 2 - count;
+      result_.degenerate += face.run.corners - 2 - count;
       if (change && count > 0) note(*change, face);
     });
   }
 
  private:
   void readPositions(const ObjFace& face) {
-    const std::size_t before = before_.positions + face.like.positionsBefore;
+    const std::size_t before = before_.positions + face.run.positionsBefore;
     positions_.clear();
     polygon_.clear();
-    for (std::size_t corner = face.firstCorner; corner < face.firstCorner + face.like.corners; ++corner) {
+    for (std::size_t corner = face.firstCorner; corner < face.firstCorner + face.run.corners; ++corner) {
       const ObjIndex index = part_.cornerPositions[corner];
       const long long position = fromZero(index, before);
       const std::size_t count = whole_.mesh.positions.size();
@@ -78,7 +78,7 @@ class Splitter {
         failOutOfRange(locationOf(face, corner), index, index > 0 ? count : before);
       positions_.push_back(static_cast<std::uint32_t>(position));
       polygon_.push_back(whole_.mesh.positions[positions_.back()]);
-      if (whole_.hasInfinitePositions && face.like.corners >= 3 && !isFinite(polygon_.back())) {
+      if (whole_.hasInfinitePositions && face.run.corners >= 3 && !isFinite(polygon_.back())) {
         failAt(locationOf(face, corner),
                "vertex " + std::to_string(position + 1) +
                    " is not finite, allowed are finite ones where a face uses them");
@@ -86,16 +86,17 @@ class Splitter {
     }
   }
 
-  // Into normals_, which are none where the face has its own: then, mostly, the answer is why.
+  // Fills normals_, or leaves it empty if the face is to have its geometric normal. Returns why, unless the
+  // file gives the face no normals at all.
   std::optional<ObjChange> readNormals(const ObjFace& face) {
     normals_.clear();
     if (part_.cornerNormals.empty()) return std::nullopt;
     bool isMissing = false;
     bool isZero = false;
     std::size_t absent = 0;
-    for (std::size_t corner = face.firstCorner; corner < face.firstCorner + face.like.corners; ++corner) {
+    for (std::size_t corner = face.firstCorner; corner < face.firstCorner + face.run.corners; ++corner) {
       const ObjIndex index = part_.cornerNormals[corner];
-      const long long normal = fromZero(index, before_.normals + face.like.normalsBefore);
+      const long long normal = fromZero(index, before_.normals + face.run.normalsBefore);
       if (index == kObjAbsent) {
         ++absent;
       } else if (normal < 0 || static_cast<std::size_t>(normal) >= whole_.mesh.normals.size()) {
@@ -105,10 +106,11 @@ class Splitter {
         isZero = isZero || (whole_.hasZeroNormals && whole_.mesh.normals[normals_.back()] == glm::dvec3(0.0));
       }
     }
-    if (normals_.size() == face.like.corners && !isZero) return std::nullopt;
+    if (normals_.size() == face.run.corners && !isZero) return std::nullopt;
     normals_.clear();
-    if (absent == face.like.corners) return std::nullopt;
-    return isMissing ? kObjNormalMissing : (isZero ? kObjNormalZero : kObjNormalsOnSome);
+    if (absent == face.run.corners) return std::nullopt;
+    return isMissing ? ObjChange::kNormalMissing
+                     : (isZero ? ObjChange::kNormalZero : ObjChange::kNormalsOnSome);
   }
 
   void addTriangles() {
@@ -120,8 +122,8 @@ class Splitter {
   }
 
   void note(ObjChange change, const ObjFace& face) {
-    ObjChanges& changes = result_.changes[change];
-    if (changes.count++ == 0) changes.firstLine = before_.lines + face.line;
+    ObjChanges& changes = result_.of(change);
+    if (changes.faces++ == 0) changes.firstLine = before_.lines + face.line;
   }
 
   [[nodiscard]] TextLocation locationOf(const ObjFace& face, std::size_t corner) const {
@@ -134,7 +136,7 @@ class Splitter {
   std::span<MeshTriangle> out_;
   ObjTriangles& result_;
   Triangulator triangulator_;
-  // Of the current face's corners.
+  // Of the current face, by corner.
   std::vector<std::uint32_t> positions_;
   std::vector<std::uint32_t> normals_;
   std::vector<glm::dvec3> polygon_;
@@ -142,7 +144,7 @@ class Splitter {
 
 }  // namespace
 
-std::size_t countTriangles(const ObjPart& part) {
+std::size_t maxTriangles(const ObjPart& part) {
   std::size_t count = 0;
   for (const ObjFaces& faces : part.faces)
     count += std::size_t{faces.count} * (std::max(faces.corners, 2U) - 2U);
@@ -162,8 +164,8 @@ ObjTriangles makeTriangles(const ObjPart& part, const ObjCounts& before, const O
 
 void checkBackReferences(const ObjPart& part, const ObjCounts& before, const std::filesystem::path& file) {
   forEachFace(part, [&](const ObjFace& face) {
-    const std::size_t count = before.positions + face.like.positionsBefore;
-    for (std::size_t corner = face.firstCorner; corner < face.firstCorner + face.like.corners; ++corner) {
+    const std::size_t count = before.positions + face.run.positionsBefore;
+    for (std::size_t corner = face.firstCorner; corner < face.firstCorner + face.run.corners; ++corner) {
       const ObjIndex index = part.cornerPositions[corner];
       if (fromZero(index, count) < 0)
         failOutOfRange({file, before.lines + lineOf(part, face, corner)}, index, count);

@@ -11,14 +11,14 @@
 
 namespace lavaray {
 
-// The whole file, apart from its triangles: the mesh has its positions and normals.
+// The whole file except its triangles: the mesh has all positions and normals.
 struct ObjWhole {
   Mesh mesh;
   bool hasInfinitePositions = false;  // or NaN
   bool hasZeroNormals = false;
 };
 
-// What the parts before a part have.
+// What the parts before a given part contain.
 struct ObjCounts {
   std::size_t lines = 0;
   std::size_t positions = 0;
@@ -26,29 +26,36 @@ struct ObjCounts {
   std::size_t triangles = 0;  // at most
 };
 
-// What is not as the file says, and people should know of.
-enum ObjChange : std::uint8_t { kObjFaceDropped, kObjNormalMissing, kObjNormalZero, kObjNormalsOnSome };
+// How a face was taken otherwise than the file states it; the user is warned of each.
+enum class ObjChange : std::uint8_t { kFaceDropped, kNormalMissing, kNormalZero, kNormalsOnSome };
+inline constexpr std::array kObjChanges{ObjChange::kFaceDropped, ObjChange::kNormalMissing,
+                                        ObjChange::kNormalZero, ObjChange::kNormalsOnSome};
 struct ObjChanges {
-  std::size_t count = 0;  // of faces
+  std::size_t faces = 0;
   std::size_t firstLine = 0;
 };
 
 struct ObjTriangles {
   std::size_t count = 0;
   std::size_t degenerate = 0;
-  std::array<ObjChanges, 4> changes;
-  std::exception_ptr error;  // which ended them
+  std::array<ObjChanges, kObjChanges.size()> changes;  // indexed by ObjChange
+  std::exception_ptr error;                            // what ended the work early, if anything did
+
+  [[nodiscard]] ObjChanges& of(ObjChange change) { return changes[static_cast<std::size_t>(change)]; }
+  [[nodiscard]] const ObjChanges& of(ObjChange change) const {
+    return changes[static_cast<std::size_t>(change)];
+  }
 };
 
-// How many triangles the part's faces have at most.
-std::size_t countTriangles(const ObjPart& part);
+// The most triangles that the part's faces can have.
+std::size_t maxTriangles(const ObjPart& part);
 
-// Splits the part's faces into triangles, written to `out`. Does not throw, as it is called from several
-// threads.
+// Splits the part's faces into triangles, which it writes to `out`. Does not throw, because several threads
+// call it.
 ObjTriangles makeTriangles(const ObjPart& part, const ObjCounts& before, const ObjWhole& whole,
                            std::span<MeshTriangle> out);
 
-// Throws Error(kInput) at the first vertex that counts back beyond the beginning of the file.
+// Throws Error(kInput) at the first vertex index that counts back beyond the start of the file.
 void checkBackReferences(const ObjPart& part, const ObjCounts& before, const std::filesystem::path& file);
 
 }  // namespace lavaray

@@ -10,8 +10,10 @@
 
 namespace lavaray {
 
-// A scene as its file states it: double precision, world coordinates, nothing derived. Everything that a
-// renderer makes of it (float arrays, bounding boxes, camera-relative coordinates) is made later.
+// This room turns a scene file and its meshes into a Scene: exactly what the files state, in double precision
+// and world coordinates, with nothing derived. Everything that a renderer makes of it (float arrays, bounding
+// boxes, camera-relative coordinates) is made later. Errors and warnings have the form `file:line: message`;
+// a warning is for what is odd but tolerated.
 
 // Phong reflection coefficients, each >= 0.
 struct Material {
@@ -19,11 +21,11 @@ struct Material {
   glm::dvec3 diffuse{0.0};
   glm::dvec3 specular{0.0};
   double shininess = 0.0;
-  glm::dvec3 reflectance{0.0};     // of the perfect mirror; 0 is none
-  bool statesReflectance = false;  // whether the file does
+  glm::dvec3 reflectance{0.0};     // of a perfect mirror; 0 is none
+  bool statesReflectance = false;  // whether the file gives it
 };
 
-// Looks down -z with +y up.
+// Looks along -z; +y is up.
 struct Camera {
   glm::dvec3 position{0.0};
   double fovDegrees = 60.0;  // vertical, in (0, 180)
@@ -31,8 +33,8 @@ struct Camera {
   double aspect = 1.0;       // width / height, > 0
 };
 
-// `object` counts the surfaces (planes, spheres, triangles, meshes) in the order of the file, from 0. It is
-// the index of the surface's material, and between surfaces at the same distance the lower one is seen.
+// `object` numbers the surfaces (planes, spheres, triangles, meshes) in file order, from 0. It is the index
+// of the surface's material; of surfaces at the same distance, the one with the lower number is seen.
 struct Plane {
   glm::dvec3 normal;  // any length > 0
   glm::dvec3 point;
@@ -47,14 +49,14 @@ struct Sphere {
 };
 
 struct Triangle {
-  std::array<glm::dvec3, 3> vertices;  // never without area
+  std::array<glm::dvec3, 3> vertices;  // always with an area
   std::uint32_t object;
   bool operator==(const Triangle&) const = default;
 };
 
 inline constexpr std::uint32_t kNoNormal = 0xFFFFFFFF;
 
-// Indices into the mesh's positions and normals. Either all three corners have a normal or none has.
+// Indices into the mesh's positions and normals. Either all three corners have a normal or none does.
 struct MeshTriangle {
   std::array<std::uint32_t, 3> positions;
   std::array<std::uint32_t, 3> normals{kNoNormal, kNoNormal, kNoNormal};
@@ -64,14 +66,14 @@ struct MeshTriangle {
 struct Mesh {
   std::filesystem::path file;
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;  // of any length; those of triangles are not zero
+  std::vector<glm::dvec3> normals;  // of any length; none that a triangle uses is zero
   std::vector<MeshTriangle> triangles;
-  std::size_t degenerateTriangles = 0;  // without area, dropped
+  std::size_t degenerateTriangles = 0;  // dropped because they have no area
   std::vector<std::string> warnings;    // each `file:line: message`
   bool operator==(const Mesh&) const = default;
 };
 
-// A mesh as one object of the scene. Two of them may share a mesh: each OBJ file is read once.
+// A mesh as an object of the scene. Several may share a mesh, since each OBJ file is read only once.
 struct MeshObject {
   std::size_t mesh;  // index into Scene::meshes
   std::uint32_t object;
@@ -84,7 +86,7 @@ struct Light {
   glm::dvec3 diffuse{0.0};
   glm::dvec3 specular{0.0};
   double radius = 0.0;        // 0 is a point light
-  bool statesRadius = false;  // whether the file does
+  bool statesRadius = false;  // whether the file gives it
 };
 
 struct Scene {
@@ -95,7 +97,7 @@ struct Scene {
   std::vector<Triangle> triangles;
   std::vector<Mesh> meshes;
   std::vector<MeshObject> meshObjects;
-  std::vector<Material> materials;  // one for each object, indexed by `object`
+  std::vector<Material> materials;  // indexed by `object`
   std::vector<Light> lights;
   std::vector<std::string> warnings;  // each `file:line: message`
 };

@@ -13,7 +13,7 @@ enum class Rule { kAny, kNotNegative, kPositive, kFieldOfView, kNotZero, kFileNa
 
 struct KeyRule {
   std::string_view key;
-  std::size_t count;  // of numbers
+  std::size_t count;  // how many numbers
   Rule rule;
   bool isRequired = true;
 };
@@ -26,7 +26,7 @@ constexpr KeyRule kPlaneKeys[] = {{"nor", 3, Rule::kNotZero}, {"pos", 3, Rule::k
 constexpr KeyRule kSphereKeys[] = {{"pos", 3, Rule::kAny}, {"rad", 1, Rule::kPositive}};
 constexpr KeyRule kTriangleKeys[] = {{"v1", 3, Rule::kAny}, {"v2", 3, Rule::kAny}, {"v3", 3, Rule::kAny}};
 constexpr KeyRule kMeshKeys[] = {{"file", 0, Rule::kFileName}};
-// `col` is the older form of `dif` and `spe` in one; checkComplete knows that it makes up for them.
+// `col` is the older form of `dif` and `spe` in one; checkComplete accepts it in place of them.
 constexpr KeyRule kLightKeys[] = {{"pos", 3, Rule::kAny},
                                   {"amb", 3, Rule::kNotNegative, false},
                                   {"dif", 3, Rule::kNotNegative},
@@ -114,7 +114,7 @@ void checkRange(const KeyRule& rule, std::span<const double> numbers, const Text
   }
 }
 
-// A name may stand in double quotes.
+// The name may be in double quotes.
 std::string readFileName(std::string_view value, const TextLocation& location) {
   std::string_view name = value;
   if (value.starts_with('"')) {

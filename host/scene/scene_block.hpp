@@ -13,36 +13,36 @@
 
 namespace lavaray {
 
-// The words of the scene format: which kinds of object there are, which keys each has, which values each
-// takes.
+// The vocabulary of the scene format: its kinds of object, the keys of each kind, and the values that each
+// key takes.
 
 enum class ObjectKind { kCamera, kPlane, kSphere, kTriangle, kMesh, kLight };
 
 std::optional<ObjectKind> objectKind(std::string_view word);
 
-// The words that objectKind knows, for messages.
+// All words that objectKind knows, for messages.
 std::string allowedKinds();
 
-// One object of a scene file as text: its kind and its keys. All complaints are Error(kInput).
+// One object of a scene file: its kind and its keys, checked one by one. Every complaint is an Error(kInput).
 class Block {
  public:
   Block(ObjectKind kind, const TextLocation& location) : kind_(kind), location_(location) {}
 
   [[nodiscard]] ObjectKind kind() const { return kind_; }
-  [[nodiscard]] const TextLocation& location() const { return location_; }  // of its kind
+  [[nodiscard]] const TextLocation& location() const { return location_; }  // of the kind's line
   [[nodiscard]] bool isEmpty() const { return entries_.empty(); }
 
-  // Adds a key with its value as written. Throws where the kind has no such key, the key is there already or
-  // the value is not allowed.
+  // Adds a key with its value as written. Throws if the kind has no such key, if the key is there already, or
+  // if the value is not allowed.
   void add(std::string_view key, std::string_view value, const TextLocation& location);
 
-  // Throws where a key is missing.
+  // Throws if a required key is missing.
   void checkComplete() const;
 
   [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
   [[nodiscard]] TextLocation locationOf(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;
-  [[nodiscard]] double number(std::string_view key) const;  // 0 where the key is absent, as is the vector
+  [[nodiscard]] double number(std::string_view key) const;  // 0 if the key is absent, as is vector()
   [[nodiscard]] glm::dvec3 vector(std::string_view key) const;
 
  private:

@@ -47,7 +47,7 @@ class SceneReader {
   const std::filesystem::path& file_;
   const MeshReader& readMesh_;
   Scene scene_;
-  std::string count_;  // as line 1 has it
+  std::string count_;  // as written in line 1
   std::size_t blockCount_ = 0;
   bool hasCamera_ = false;
   std::optional<Block> block_;  // the one being read
@@ -88,14 +88,14 @@ void SceneReader::readLine(std::string_view line, const TextLocation& location) 
   block_->add(key, trim(line.substr(colon + 1)), location);
 }
 
-// Some files name the mesh in the line after `mesh`, without `file:`.
+// Some files name the mesh on the line after `mesh`, without `file:`.
 bool SceneReader::isBareFileName(std::string_view line) const {
   if (!block_ || block_->kind() != ObjectKind::kMesh || !block_->isEmpty()) return false;
   return line.starts_with('"') || (line.find(':') == std::string_view::npos && !objectKind(line));
 }
 
 void SceneReader::startBlock(std::string_view line, const TextLocation& location) {
-  // Before the last object is looked at: a key without its colon would be reported as missing there.
+  // Must come before the previous object is finished, which would report a key without its colon as missing.
   const auto kind = objectKind(line);
   if (!kind) failAt(location, "unknown kind of object " + quoted(line) + ", allowed are " + allowedKinds());
   finishBlock();
@@ -167,7 +167,7 @@ void SceneReader::addLight(const Block& block) {
                            .statesRadius = block.has("rad")});
 }
 
-// Returns the number of the object.
+// Returns the object's number.
 std::uint32_t SceneReader::addMaterial(const Block& block) {
   scene_.materials.push_back({.ambient = block.vector("amb"),
                               .diffuse = block.vector("dif"),
@@ -181,7 +181,7 @@ std::uint32_t SceneReader::addMaterial(const Block& block) {
 std::size_t SceneReader::meshIndex(const std::filesystem::path& meshFile, const TextLocation& location) {
   std::error_code unknown;
   std::filesystem::path key = std::filesystem::weakly_canonical(meshFile, unknown);
-  if (unknown) key = meshFile;  // reading it will say why
+  if (unknown) key = meshFile;  // reading it will report why
   const auto [entry, isNew] = meshes_.try_emplace(std::move(key), scene_.meshes.size());
   if (!isNew) return entry->second;
   try {

@@ -14,8 +14,9 @@
 namespace lavaray {
 namespace {
 
-// The power of two that brings a length > 0 into [0.5, 1), so that products of two such lengths neither
-// underflow nor overflow. It changes no digit. Two factors, as that of the least double is no double.
+// The power of two that scales a length > 0 into [0.5, 1), so that products of two such lengths neither
+// underflow nor overflow. It changes no digit. Kept as two factors, because the one for the smallest double
+// is not itself a double.
 class PowerOfTwo {
  public:
   explicit PowerOfTwo(double length) {
@@ -31,12 +32,12 @@ class PowerOfTwo {
   double second_;
 };
 
-// Twice the signed area of the triangle, positive where it runs anticlockwise.
+// Twice the signed area of the triangle, positive if it runs anticlockwise.
 double twiceArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Border included. The triangle runs anticlockwise.
+// The border counts as inside. The triangle must run anticlockwise.
 bool contains(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& p) {
   return twiceArea(a, b, p) >= 0.0 && twiceArea(b, c, p) >= 0.0 && twiceArea(c, a, p) >= 0.0;
 }
@@ -48,7 +49,7 @@ bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 ac = c - a;
   const glm::dvec3 zero(0.0);
   if (glm::cross(ab, ac) != zero) return true;
-  // The products of a tiny triangle underflow.
+  // For a tiny triangle the products underflow.
   const double largestAb = largestComponent(ab);
   const double largestAc = largestComponent(ac);
   if (largestAb == 0.0 || largestAc == 0.0) return false;
@@ -56,8 +57,8 @@ bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 }
 
 // Ear clipping: G. H. Meisters, "Polygons Have Ears" (1975), with the bookkeeping of J. O'Rourke,
-// "Computational Geometry in C" (1998): clipping an ear changes the shape of its two neighbours only, and
-// where anything lies in an ear, a corner that is not convex does. O(corners x corners that are not convex).
+// "Computational Geometry in C" (1998): clipping an ear changes the shape of its two neighbours only, and if
+// any corner lies in a triangle, one that is not convex does. O(corners x corners that are not convex).
 const std::vector<Triangulator::Corners>& Triangulator::triangulate(std::span<const glm::dvec3> polygon) {
   triangles_.clear();
   if (polygon.size() == 3) {
@@ -73,25 +74,25 @@ const std::vector<Triangulator::Corners>& Triangulator::triangulate(std::span<co
     if (clipEars()) {
       isFresh = false;
     } else if (!isFresh && !crossesItself) {
-      // A corner that touches the border elsewhere can have hidden an ear that was not its neighbour.
+      // A corner that touches the border elsewhere may have hidden an ear that was not its neighbour.
       classifyAll();
       isFresh = true;
     } else {
-      const std::uint32_t corner = leastBadCorner();
+      const std::uint32_t corner = fallbackCorner();
       crossesItself = crossesItself || areaAt(corner) != 0.0;
       clip(corner);
     }
   }
-  // Corners that coincide or are on a line got their triangles, too: what looks like a line on the plane of
-  // two axes need not be one.
+  // Coincident and collinear corners got triangles too, because what looks collinear in the projection need
+  // not be.
   std::erase_if(triangles_,
                 [&](const Corners& t) { return !hasArea(polygon[t[0]], polygon[t[1]], polygon[t[2]]); });
   return triangles_;
 }
 
-// Into points_: the polygon on the plane of two axes, anticlockwise. False where it has no area.
+// Fills points_ with the polygon projected onto an axis plane, anticlockwise. False if it has no area.
 bool Triangulator::project(std::span<const glm::dvec3> polygon) {
-  // Relative to a corner, so that a small face far from the origin keeps its digits.
+  // Relative to a corner, so that a small face far from the origin loses no digits.
   relative_.resize(polygon.size());
   double largest = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -154,9 +155,9 @@ void Triangulator::classify(std::uint32_t corner) {
   }
 }
 
-// Whether the triangle at a convex corner holds another corner, so that its third side would leave the
-// polygon. Corners at the very place of the triangle's own do not count: where a polygon visits a point twice
-// (a bridge to a hole, say) nothing could be clipped there.
+// Whether the triangle at a convex corner contains another corner, so that its third side would leave the
+// polygon. Corners that coincide with one of the triangle's own do not count: otherwise nothing could be
+// clipped where a polygon visits a point twice (at a bridge to a hole, say).
 bool Triangulator::isBlocked(std::uint32_t corner) {
   const glm::dvec2 a = points_[previous_[corner]];
   const glm::dvec2 b = points_[corner];
@@ -188,10 +189,10 @@ void Triangulator::clip(std::uint32_t corner) {
   classify(after);
 }
 
-// False where there was none.
+// False if there was none.
 bool Triangulator::clipEars() {
   bool found = false;
-  // Starting behind the first corner makes the fan of a convex polygon.
+  // Starting after the first corner turns a convex polygon into its fan.
   std::uint32_t corner = next_[first_];
   for (std::uint32_t misses = 0; left_ >= 3 && misses < left_;) {
     const std::uint32_t after = next_[corner];
@@ -207,10 +208,10 @@ bool Triangulator::clipEars() {
   return found;
 }
 
-// What to clip where no ear is left: preferably a corner that coincides with a neighbour or is on a line with
-// both, which costs nothing. Otherwise sides cross, if only as seen along the axis, and triangles are bound
-// to overlap. Leaving one out instead would tear a hole into a mesh whose faces are not flat.
-std::uint32_t Triangulator::leastBadCorner() const {
+// The corner to clip when no ear is left: preferably one that coincides with a neighbour or is collinear with
+// both, which costs nothing. Otherwise sides cross, if only in the projection, and triangles are bound to
+// overlap. Leaving one out instead would tear a hole into a mesh whose faces are not flat.
+std::uint32_t Triangulator::fallbackCorner() const {
   std::optional<std::uint32_t> convex;
   for (std::uint32_t i = 0, corner = first_; i < left_; ++i, corner = next_[corner]) {
     const double area = areaAt(corner);
