@@ -1,5 +1,3 @@
-// The versions of the header are told apart by its size: 12 (OS/2 1), 16 and 64 (OS/2 2), 40 (Windows 3), 52
-// and 56 (with masks), 108 and 124 (Windows 95 and 98).
 #include "image/bmp_header.hpp"
 
 #include <algorithm>
@@ -10,7 +8,10 @@
 namespace lavaray {
 namespace {
 
-constexpr std::size_t kFileHeader = 14;
+// The versions of the header are told apart by its size: 12 (OS/2 1), 16 and 64 (OS/2 2), 40 (Windows 3), 52
+// and 56 (with masks), 108 and 124 (Windows 95 and 98).
+
+constexpr std::size_t kFileHeader = 14;  // bytes
 
 // As the header numbers them; others exist.
 enum class Compression : std::uint32_t {
@@ -41,7 +42,7 @@ void checkBits(const EncodedImage& file, int bits) {
             " bits a pixel; allowed are 1, 2, 4, 8, 16, 24 and 32");
 }
 
-// Of compressions that are not read.
+// The name of a compression that is not supported.
 std::string compressionName(Compression compression, bool isOs2) {
   const auto number = static_cast<std::uint32_t>(compression);
   if (isOs2 && number == 3) return "Huffman codes (OS/2)";
@@ -108,7 +109,7 @@ void readMasks(const EncodedImage& file, std::uint32_t headerSize, Compression c
   header.hasReservedByte = header.bits == 32 && compression == Compression::kNone;
 }
 
-// Files exist whose palette is shorter than their header says: it ends where the pixels begin.
+// Some files have a palette shorter than their header says: it ends where the pixels begin.
 void readPalette(const EncodedImage& file, std::size_t at, std::size_t entryBytes, std::size_t used,
                  BmpHeader& header) {
   const std::size_t all = std::size_t{1} << header.bits;

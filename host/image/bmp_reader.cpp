@@ -8,14 +8,14 @@
 namespace lavaray {
 namespace {
 
-// The place of a pixel whose row is counted as the file has it.
+// The index in the image of a pixel whose row is counted in file order.
 std::size_t pixelAt(const BmpHeader& header, std::size_t x, std::size_t row) {
   const auto height = static_cast<std::size_t>(header.height);
   const std::size_t y = header.isTopDown ? row : height - 1 - row;
   return y * static_cast<std::size_t>(header.width) + x;
 }
 
-// `indexOf` gives the palette's index of the pixel at column x of a row as the file has it.
+// `indexOf` returns the palette index of the pixel at column x of a row, counted in file order.
 template <typename IndexOf>
 void fillFromPalette(const EncodedImage& file, const BmpHeader& header, const IndexOf& indexOf,
                      Image& image) {

@@ -5,9 +5,8 @@
 
 namespace lavaray {
 
-// BMP files of Windows and OS/2: 1 to 32 bits a pixel with a palette or masks, in either order of rows, and
-// run lengths. Where no mask says what the fourth byte of a pixel is, it is not looked at. Throws
-// Error(kInput).
+// Reads BMP files of Windows and OS/2: 1 to 32 bits per pixel with a palette or masks, rows in either order,
+// and run lengths. A pixel's fourth byte is ignored if no mask says what it is. Throws Error(kInput).
 Image readBmp(const EncodedImage& file);
 
 }  // namespace lavaray

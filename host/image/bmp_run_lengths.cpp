@@ -13,7 +13,7 @@ class Runs {
         at_(header.pixelsAt),
         width_(static_cast<std::size_t>(header.width)),
         pixels_(width_ * static_cast<std::size_t>(header.height)) {
-    // Two bytes are 255 pixels at most.
+    // Two bytes stand for at most 255 pixels.
     if ((file.bytes.size() - at_) * 128 < pixels_) file.failAsCutOff();
   }
 
@@ -45,7 +45,7 @@ class Runs {
     }
   }
 
-  // With 4 bits a run is of two colours by turns.
+  // With 4 bits per pixel, a run alternates between two colours.
   void run(std::size_t count, std::uint8_t value) {
     requireRoom(count);
     for (std::size_t i = 0; i < count; ++i) indices_.push_back(isFourBits_ ? nibble(value, i) : value);
@@ -63,7 +63,7 @@ class Runs {
     if (bytes % 2 != 0) (void)next();
   }
 
-  // The end of a row, the end of the image, a step to the right and up.
+  // 0 ends a row, 1 ends the image, 2 steps to the right and up. The last two would leave pixels out here.
   void escape(std::uint8_t code) {
     const std::size_t inRow = indices_.size() - rowBegin_;
     if (code == 0 && inRow == width_) {

@@ -7,8 +7,8 @@
 
 namespace lavaray {
 
-// The pixels of a BMP image that is compressed as run lengths (RLE4 or RLE8): indices into its palette, row
-// by row from the bottom. Throws Error(kInput), also where pixels are left out: programs fill these in
+// The pixels of a BMP image with run-length compression (RLE4 or RLE8): indices into its palette, row by row
+// from the bottom. Throws Error(kInput), even if pixels are merely left out, since programs fill those in
 // different ways.
 std::vector<std::uint8_t> readBmpRuns(const EncodedImage& file, const BmpHeader& header);
 

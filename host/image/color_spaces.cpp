@@ -12,8 +12,8 @@ glm::dvec3 tristimulus(double x, double y) {
   return {x / y, 1.0, (1.0 - x - y) / y};
 }
 
-// Tristimulus values of a linear colour, each relative to that of white. From the chromaticities of the
-// primaries (ITU-R BT.709) and of D65 (CIE 15), so that (1, 1, 1) becomes (1, 1, 1).
+// Maps a linear colour to its tristimulus values relative to those of white. Derived from the chromaticities
+// of the primaries (ITU-R BT.709) and of D65 (CIE 15), so that (1, 1, 1) maps to (1, 1, 1).
 glm::dmat3 relativeTristimulusFromLinear() {
   const glm::dvec3 white = tristimulus(0.31271, 0.32902);
   const glm::dmat3 primaries(tristimulus(0.64, 0.33), tristimulus(0.30, 0.60), tristimulus(0.15, 0.06));
@@ -26,7 +26,7 @@ glm::dmat3 relativeTristimulusFromLinear() {
 const glm::mat3 kTristimulusFromLinear(relativeTristimulusFromLinear());
 const glm::mat3 kLinearFromTristimulus(glm::inverse(relativeTristimulusFromLinear()));
 
-// Where the straight line near 0 ends, encoded.
+// The encoded value where the straight line near 0 ends.
 constexpr double kLineEnd = 0.04045;
 
 template <typename Number>
@@ -36,7 +36,7 @@ Number decoded(Number encoded) {
                   static_cast<Number>(2.4));
 }
 
-// The cube root, but a straight line near 0, where the root has no derivative.
+// The cube root, but a straight line near 0, where the root has no finite derivative.
 float labRoot(float t) {
   constexpr float kDelta = 6.0F / 29.0F;
   return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3.0F * kDelta * kDelta) + 4.0F / 29.0F;

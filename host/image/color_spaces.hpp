@@ -4,12 +4,12 @@
 
 namespace lavaray {
 
-// Colour spaces in which distances mean something to the eye. Linear colours are RGB in the sRGB primaries
-// with D65 white, 0 to 1.
+// Colour spaces in which distances correspond to perception. Linear colours are RGB with sRGB primaries and
+// D65 white, from 0 to 1.
 
-// One channel of sRGB, 0 to 1, decoded (IEC 61966-2-1).
+// Decodes one channel of sRGB, from 0 to 1 (IEC 61966-2-1).
 float linearFromSrgb(float encoded);
-// Likewise, and back; values beyond 0 and 1 go on along the same curves.
+// The same in double precision, and its inverse; values beyond 0 and 1 continue along the same curves.
 double linearFromSrgb(double encoded);
 double srgbFromLinear(double linear);
 
@@ -18,7 +18,7 @@ double srgbFromLinear(double linear);
 glm::vec3 opponentFromLinear(const glm::vec3& linear);
 glm::vec3 linearFromOpponent(const glm::vec3& opponent);
 
-// CIE L*a*b*; L* is 0 to 100.
+// CIE L*a*b*, with L* from 0 to 100.
 glm::vec3 labFromLinear(const glm::vec3& linear);
 
 }  // namespace lavaray

@@ -36,7 +36,7 @@ double colorDistance(const Pixel& a, const Pixel& b) {
   return std::max({distance(a[0], b[0]), distance(a[1], b[1]), distance(a[2], b[2])});
 }
 
-// Adds a pixel that is off by `off`.
+// Counts a pixel whose values are `off` apart.
 void add(double off, double tolerance, int x, int y, ChannelDifference& sum) {
   if (off > tolerance) ++sum.differing;
   if (off <= sum.largest) return;
@@ -121,7 +121,7 @@ Image differencePicture(const Image& image, const Image& reference) {
 Image asWritten(const Image& floats, const Image& integers) {
   const auto written = [&](float value, float other, std::size_t channel) {
     if (value == other || !std::isfinite(value)) return value;
-    // The other image may have no alpha to go by.
+    // The other image may have no alpha, and so no maximum for it.
     const std::uint32_t maximum = integers.source.maxima[channel];
     if (maximum == 0) return value;
     const double level = static_cast<double>(maximum) * std::clamp(double{value}, 0.0, 1.0);

@@ -7,7 +7,7 @@
 
 namespace lavaray {
 
-// How far the values of some channels are apart; where they are finite.
+// How far the finite values of some channels are apart.
 struct ChannelDifference {
   std::size_t differing = 0;  // pixels that are off by more than the tolerance
   double largest = 0.0;       // at pixel (x, y)
@@ -17,33 +17,32 @@ struct ChannelDifference {
   [[nodiscard]] double psnr() const;  // in dB, for a peak of 1; infinite for equal values
 };
 
-// How two images of one size differ. A pixel that is finite in both counts in the figures of its channels; of
-// one that is not, it only matters whether both have the same values there, where any NaN is the same as any
-// other.
+// How two images of the same size differ. A pixel that is finite in both counts towards the figures of its
+// channels. Of any other it only matters whether both have the same values there; all NaNs count as the same.
 struct Difference {
   std::size_t pixels = 0;
-  std::size_t differing = 0;  // pixels with a channel off by more than the tolerance, alpha too, or unlike
+  std::size_t differing = 0;  // pixels with a channel, or alpha, off by more than the tolerance, or unlike
   std::size_t finite = 0;     // pixels that are finite in both
-  std::size_t unlike =
-      0;  // others, whose values are not the same in both; the first is at (unlikeX, unlikeY)
+  // Other pixels, whose values are not the same in both; the first is at (unlikeX, unlikeY).
+  std::size_t unlike = 0;
   int unlikeX = 0;
   int unlikeY = 0;
   ChannelDifference color;
-  ChannelDifference alpha;  // an image without alpha has 1
+  ChannelDifference alpha;  // of an image without alpha it is 1
 };
 
 Difference compare(const Image& image, const Image& reference, double tolerance);
 
-// For each pixel whether all of its channels are finite in both images.
+// For each pixel, whether all of its channels are finite in both images.
 std::vector<bool> finiteInBoth(const Image& image, const Image& reference);
 
-// |image - reference|, stretched so that the largest difference is 1; that of alpha is grey where it is
-// larger than the colours'. Where infinity or NaN is in one image only the picture is magenta.
+// |image - reference|, scaled so that the largest difference is 1. A difference of alpha shows as grey where
+// it is larger than those of the colours. Magenta marks infinities and NaNs that are not in both images.
 Image differencePicture(const Image& image, const Image& reference);
 
-// An image of floats as the file that the other one, of integers, was read from would hold it: a value c
-// becomes trunc(maximum c) / maximum, as lavaray writes it. One that is the other image's value, and one that
-// is not finite, stays.
+// An image of floats as it would be in a file like the one that the other image, of integers, was read from:
+// a value c becomes trunc(maximum c) / maximum, as lavaray writes it. Values that equal the other image's,
+// and values that are not finite, stay.
 Image asWritten(const Image& floats, const Image& integers);
 
 }  // namespace lavaray

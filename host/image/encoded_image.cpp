@@ -7,7 +7,7 @@
 namespace lavaray {
 namespace {
 
-// With 16 bytes a pixel no product of sizes is beyond 64 bits.
+// With up to 16 bytes per pixel, no product of sizes exceeds 64 bits.
 constexpr std::int64_t kMaxSide = 1'000'000;
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace lavaray {
 
-// The bytes of an image file that is being read, and its name for what is said of it. Refers to both.
+// The bytes of an image file that is being read, and the file's name for messages. Refers to both.
 struct EncodedImage {
   std::string_view bytes;
   const std::filesystem::path& file;
@@ -19,16 +19,16 @@ struct EncodedImage {
   [[noreturn]] void fail(const std::string& why) const;
   [[noreturn]] void failAsCutOff() const;
 
-  // The unsigned number of 1 to 4 bytes, the lowest first. Fails where the file ends before.
+  // The unsigned number in `count` bytes, 1 to 4. Fails if the file ends before them.
   [[nodiscard]] std::uint32_t littleEndian(std::size_t at, std::size_t count) const;
 
-  // An image of that size, its colours 0. Fails where a side is none that any reader takes. That the file is
-  // long enough for so many pixels is for the caller to check before, as the memory is taken here.
+  // A black image of that size. Fails if a side is beyond what any reader accepts. The caller must check
+  // before that the file is long enough for so many pixels, since this allocates the memory.
   [[nodiscard]] Image blankImage(std::int64_t width, std::int64_t height) const;
   void checkSides(std::int64_t width, std::int64_t height) const;
 };
 
-// Of integers below 2^24, which are floats: the quotient rounded once.
+// Rounded only once, as integers below 2^24 are exact in a float.
 inline float quotient(std::uint32_t value, std::uint32_t maximum) {
   return static_cast<float>(value) / static_cast<float>(maximum);
 }

@@ -48,8 +48,8 @@ class Stream : public Imf::IStream {
   std::size_t at_ = 0;
 };
 
-// How many bytes of pixels a byte of a file can stand for, and more than that: ZIP's limit is 1032 on 32-bit
-// floats, the others' below 1400, but that of DWA and what OpenEXR may yet come to know.
+// An upper bound on the bytes of pixels that one byte of a file can stand for. ZIP's limit is 1032 on 32-bit
+// floats, and the others' are below 1400, except for DWA and whatever OpenEXR may yet add.
 std::uint64_t maxBytesPerByte(Imf::Compression compression) {
   return compression <= Imf::B44A_COMPRESSION ? 2000 : 100000;
 }
@@ -62,7 +62,7 @@ std::string listed(const Imf::ChannelList& channels) {
   return names.empty() ? "none" : names;
 }
 
-// OpenEXR's own refusals of what it does not read here give no reason that helps.
+// OpenEXR itself would refuse these files without a helpful reason.
 void checkKind(const EncodedImage& file, Stream& stream) {
   bool isTiled = false;
   bool isDeep = false;
@@ -72,7 +72,7 @@ void checkKind(const EncodedImage& file, Stream& stream) {
   if (hasParts) file.fail("is an EXR image of several parts; only those of one part are read");
 }
 
-// Returns whether it is grey.
+// Returns whether the image is grey.
 bool checkChannels(const EncodedImage& file, const Imf::Header& header) {
   const Imf::ChannelList& channels = header.channels();
   const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
@@ -90,7 +90,7 @@ bool checkChannels(const EncodedImage& file, const Imf::Header& header) {
   return isGrey;
 }
 
-// Fails where the file cannot hold so many pixels, before memory for them is asked for.
+// Fails if the file cannot hold so many pixels, before any memory is allocated for them.
 void checkSize(const EncodedImage& file, const Imf::Header& header) {
   const Imath::Box2i& data = header.dataWindow();
   if (data != header.displayWindow()) {
@@ -109,7 +109,7 @@ void checkSize(const EncodedImage& file, const Imf::Header& header) {
             std::to_string(pixels) + " pixels");
 }
 
-// OpenEXR 3.3 and later would print what is wrong, besides throwing it.
+// OpenEXR 3.3 and later would print errors as well as throw them.
 Imf::InputFile open(const EncodedImage& file, Stream& stream) {
 #if OPENEXR_VERSION_MAJOR > 3 || OPENEXR_VERSION_MINOR >= 3
   const auto ignore = [](exr_const_context_t, exr_result_t, const char*) {};
@@ -138,7 +138,7 @@ void readPixels(Imf::InputFile& input, bool isGrey, Image& image) {
   for (std::size_t i = 0; isGrey && i < image.rgb.size(); ++i) image.rgb[i] = image.rgb[i / 3 * 3];
 }
 
-// Colours are multiplied by alpha in EXR, as linear light.
+// In EXR, colours are linear light and premultiplied by alpha.
 void toDisplay(Image& image) {
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     const double alpha = image.alpha.empty() ? 1.0 : double{image.alpha[i / 3]};

@@ -5,8 +5,8 @@
 
 namespace lavaray {
 
-// The picture in a file of R, G, B, or of Y alone, which is grey, and of A, of any compression and precision,
-// in scan lines or tiles. Fails for all else.
+// Reads an EXR image of R, G, B, or of Y alone, which is grey, with or without A, of any compression and
+// precision, in scan lines or tiles. Throws Error(kInput) for anything else.
 Image readExr(const EncodedImage& file);
 
 }  // namespace lavaray

@@ -24,7 +24,7 @@
 namespace lavaray {
 namespace {
 
-// A stream that is not OpenEXR's. That a write has failed is remembered by the stream, for its owner.
+// Lets OpenEXR write to a C stream. The stream remembers a failed write for its owner.
 class Stream : public Imf::OStream {
  public:
   explicit Stream(std::FILE* stream) : OStream("the image"), stream_(stream) {}
@@ -40,7 +40,7 @@ class Stream : public Imf::OStream {
   std::FILE* stream_;
 };
 
-// OpenEXR's exceptions are of several kinds.
+// OpenEXR throws exceptions of several types.
 template <typename Body>
 void writing(const Body& body) {
   try {
@@ -52,8 +52,9 @@ void writing(const Body& body) {
   }
 }
 
-// The float next to the linear light. Near black floats are too far apart for every value to come back, but
-// one that would come back as another 8-bit level is moved to where it does not.
+// The float nearest to the linear light. Near black, floats are too far apart for every value to survive a
+// round trip, but one that would come back as another 8-bit level moves to the neighbouring float, which does
+// not.
 float linearLight(float color) {
   constexpr float kMayMove = 1.0F / 16.0F;
   const auto linear = static_cast<float>(linearFromSrgb(double{color}));
@@ -92,7 +93,7 @@ struct ExrWriter::File {
     output.emplace(stream, header, kNoExrThreads);
     Imf::FrameBuffer frame;
     for (std::size_t i = 0; i < channels; ++i) {
-      // Each row is in the same place.
+      // A stride of 0: every row is taken from the same buffer.
       frame.insert(channels == 1 ? kExrGrey : kExrColors[i],
                    Imf::Slice(type, bytes + i * size, channels * size, 0));
     }
@@ -101,7 +102,7 @@ struct ExrWriter::File {
 
   Stream stream;
   Imf::PixelType type;
-  // The row that is being filled, in the one of the precision.
+  // The row being filled, in whichever of the two has the precision.
   std::vector<float> floats;
   std::vector<half> halves;
   std::size_t filled = 0;
@@ -141,7 +142,7 @@ void ExrWriter::writeColors(std::span<const float> values) {
 }
 
 void ExrWriter::finish() {
-  // It goes back and writes where the rows are; of a failure the stream alone knows.
+  // Destroying it goes back and writes the rows' offsets; only the stream knows if that fails.
   file_->output.reset();
 }
 

@@ -9,24 +9,24 @@
 
 namespace lavaray {
 
-// Writes an EXR file row by row from the top: scan lines, compressed by ZIP, channels R, G, B or one channel
-// Y, by which name most readers take it for grey. The texts become attributes of its header. In 32 bits a
-// colour keeps its 8-bit level.
+// Writes an EXR file row by row from the top: scan lines with ZIP compression and the channels R, G, B, or
+// the single channel Y, which by that name most readers take for grey. The texts become header attributes.
+// With 32-bit floats a colour keeps its 8-bit level.
 class ExrWriter {
  public:
   enum class Precision { kFloat, kHalf };
 
-  // One channel or three. Throws Error(kOutput) for what OpenEXR refuses; whether all was written is for the
-  // owner of the stream, which can be sought in, to check.
+  // `channels` is 1 or 3. The stream must be seekable. Throws Error(kOutput) if OpenEXR refuses; whether
+  // everything was written is for the stream's owner to check.
   ExrWriter(int width, int height, std::size_t channels, Precision precision, const TextEntries& texts,
             std::FILE* stream);
   ~ExrWriter();
   ExrWriter(const ExrWriter&) = delete;
   ExrWriter& operator=(const ExrWriter&) = delete;
 
-  // The next values, all channels of a pixel side by side, in any division: numbers that are no colours.
+  // Takes the next values, with all channels of a pixel side by side and in pieces of any size, unchanged.
   void writeNumbers(std::span<const float> values);
-  // Likewise colours, which become linear light.
+  // The same for colours, which become linear light.
   void writeColors(std::span<const float> values);
   void finish();
 

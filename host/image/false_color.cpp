@@ -15,9 +15,9 @@ const std::array<glm::vec3, kIntervals + 1> kColors = {glm::vec3(0.0F),       {0
 }  // namespace
 
 glm::vec3 falseColor(float value) {
-  const float place = std::clamp(value, 0.0F, 1.0F) * kIntervals;
-  const std::size_t interval = std::min(static_cast<std::size_t>(place), kIntervals - 1);
-  const float share = place - static_cast<float>(interval);
+  const float position = std::clamp(value, 0.0F, 1.0F) * kIntervals;
+  const std::size_t interval = std::min(static_cast<std::size_t>(position), kIntervals - 1);
+  const float share = position - static_cast<float>(interval);
   return kColors[interval] * (1.0F - share) + kColors[interval + 1] * share;
 }
 

@@ -6,12 +6,12 @@
 
 namespace lavaray {
 
-// A colour for a value from 0 to 1: black, blue, crimson, orange, yellow, white. Each fifth of the scale is
-// about as much lighter as any other, so the order of values can be seen, in grey print and by the
-// colour-blind, too.
+// The colour for a value from 0 to 1: black, blue, crimson, orange, yellow, white. Every fifth of the scale
+// adds about the same lightness, so the order of values stays visible in greyscale print and to the
+// colour-blind.
 glm::vec3 falseColor(float value);
 
-// Of pixels whose three channels are equal.
+// Replaces pixels whose three channels are equal with the colours for their values.
 void applyFalseColors(std::span<float> rgb);
 
 }  // namespace lavaray

@@ -22,10 +22,10 @@ constexpr float kKneeValue = 0.95F;
 constexpr float kFeatureExponent = 0.5F;
 constexpr float kInverseRoot2 = 0.70710678F;
 
-// Rows that are done at a time: few enough to stay in a processor's cache.
+// Rows processed at a time: few enough to stay in a processor's cache.
 constexpr int kBandRows = 64;
 
-// What the eye makes of a pixel.
+// A pixel as perceived.
 struct Percept {
   glm::vec3 color;  // L*a*b*, the last two weighted by L*: the Hunt effect
   float edge;
@@ -45,13 +45,14 @@ float compressedDistance(const glm::vec3& a, const glm::vec3& b) {
   return std::pow(hyab(a, b), kColorExponent);
 }
 
-// The largest distance of displayable colours: that of pure green and blue.
+// The largest distance between displayable colours: that of pure green and pure blue.
 float largestDistance() {
   return compressedDistance(huntAdjusted(labFromLinear({0.0F, 1.0F, 0.0F})),
                             huntAdjusted(labFromLinear({0.0F, 0.0F, 1.0F})));
 }
 
-// Distances up to the knee, a share of the largest one, take most of [0, 1]; the few beyond share the rest.
+// Distances up to the knee, a fraction of the largest, map to most of [0, 1]; the few beyond it share the
+// rest.
 float colorDifference(const glm::vec3& a, const glm::vec3& b, float largest) {
   const float distance = compressedDistance(a, b);
   const float knee = kColorKnee * largest;
@@ -64,8 +65,7 @@ float featureDifference(const Percept& a, const Percept& b) {
   return std::pow(kInverseRoot2 * largest, kFeatureExponent);
 }
 
-// The rows [y0, y1) of an image as they are seen, with what lies beyond the image's sides as its nearest
-// pixel.
+// The rows [y0, y1) of an image as perceived. Beyond the image's edges its nearest pixel repeats.
 class Band {
  public:
   Band(const Image& image, const FlipFilters& filters, int y0, int y1)
@@ -110,7 +110,7 @@ class Band {
   }
 
  private:
-  // What is kept of each row, filtered along it.
+  // What is kept of each row after filtering along it.
   enum class Plane { kAchromatic, kRedGreen, kBlueYellowWide, kBlueYellowNarrow, kEdge, kSmooth, kPoint };
   static constexpr std::size_t kPlaneCount = 7;
 
@@ -119,7 +119,7 @@ class Band {
   }
 
   void filterAcross(const Image& image, int y, int row) {
-    // The row's opponent channels, lengthened at both ends.
+    // The row's opponent channels, extended at both ends.
     const std::size_t margin = static_cast<std::size_t>(filters_.maxRadius);
     std::array<std::vector<float>, 3> padded;
     for (std::vector<float>& channel : padded) channel.resize(width_ + 2 * margin);

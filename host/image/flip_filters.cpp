@@ -11,8 +11,8 @@ namespace {
 using std::numbers::pi;
 using Weights = std::vector<double>;
 
-// A term of a contrast sensitivity function brought from frequencies into space: at d degrees its weight is
-// scale sqrt(pi / spread) exp(-pi^2 d^2 / spread). Numbers from the paper.
+// A term of a contrast sensitivity function, transformed from frequency to space: at d degrees its weight is
+// scale sqrt(pi / spread) exp(-pi^2 d^2 / spread). The numbers are the paper's.
 struct SensitivityTerm {
   double scale;
   double spread;
@@ -22,7 +22,7 @@ constexpr SensitivityTerm kRedGreen{1.0, 0.0053};
 constexpr SensitivityTerm kBlueYellowWide{34.1, 0.04};
 constexpr SensitivityTerm kBlueYellowNarrow{13.5, 0.025};
 
-// Width of the features that the eye finds, in degrees.
+// Width of the features that the eye detects, in degrees.
 constexpr double kFeatureWidth = 0.082;
 
 template <typename Function>
@@ -42,7 +42,7 @@ Kernel scaled(const Weights& weights, double factor) {
   return kernel;
 }
 
-// The positive weights are divided by their sum and the negative ones by theirs.
+// Divides the positive weights by their sum and the negative ones by theirs.
 Kernel balanced(const Weights& weights) {
   double positive = 0.0;
   double negative = 0.0;
@@ -61,12 +61,12 @@ Weights sensitivity(const SensitivityTerm& term, int radius, double pixelsPerDeg
   });
 }
 
-// The weight of all pixels together.
+// The total weight of all pixels.
 double mass(const SensitivityTerm& term, const Weights& weights) {
   return term.scale * std::sqrt(pi / term.spread) * sum(weights) * sum(weights);
 }
 
-// A product whose weights add up to `share`.
+// The product of the weights with themselves, scaled so that it adds up to `share`.
 SeparableKernel product(const Weights& weights, double share) {
   return {scaled(weights, 1.0 / sum(weights)), scaled(weights, share / sum(weights))};
 }

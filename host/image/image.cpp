@@ -7,7 +7,7 @@ namespace lavaray {
 float normalize(Image& image) {
   const auto largest = std::max_element(image.rgb.begin(), image.rgb.end());
   if (largest == image.rgb.end() || *largest <= 0.0F) return 0.0F;
-  const float scale = *largest;  // divided by, so that the largest becomes exactly 1
+  const float scale = *largest;  // a divisor, not a factor, so that the largest becomes exactly 1
   for (float& value : image.rgb) value /= scale;
   return scale;
 }

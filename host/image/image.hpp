@@ -10,31 +10,37 @@
 
 namespace lavaray {
 
-// Keyword and text, such as a PNG file carries. A keyword has 1 to 79 characters of ASCII.
+// This room holds images in memory, reads and writes them in files, and tells how two of them differ. A
+// reader gives every integer of a file as its quotient by the maximum, rounded once; for whatever readers
+// disagree about, it adds a note. All writers of a format, whole or row by row, produce the same bytes. Files
+// that are damaged, even on purpose, are refused before they cost more memory than a file of their size can
+// need.
+
+// Keywords and texts, such as a PNG file carries. A keyword has 1 to 79 ASCII characters.
 using TextEntries = std::vector<std::pair<std::string, std::string>>;
 
-// What the file that an image was read from says beside its pixels.
+// What the file that an image was read from says apart from its pixels.
 struct ImageSource {
   std::string format;  // "PNG", say; empty for an image that was not read
-  // The integers of the file that stand for 1, of red, green, blue and alpha; 0 where it holds floats.
+  // The integers of red, green, blue and alpha that stand for 1 in the file; 0 if it holds floats.
   std::array<std::uint32_t, 4> maxima{};
-  // What programs treat in different ways, and what was done here: for the user to know.
+  // For the user: what programs treat in different ways, and what was done here.
   std::vector<std::string> notes;
   TextEntries texts;
 };
 
-// Colours in [0, 1], three floats a pixel, row by row from the top. Those of a file of floats may be
+// Colours in [0, 1], three floats per pixel, row by row from the top. From a file of floats they may be
 // anything.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<float> rgb;
-  std::vector<float> alpha{};  // one a pixel; empty where the image has none: it is opaque
+  std::vector<float> alpha{};  // one per pixel; empty if the image has none, and so is opaque
   ImageSource source{};
 };
 
-// Stretches the values so that the largest is 1; a black image stays black. Returns what the largest was, or
-// 0.
+// Scales the values so that the largest becomes 1; a black image stays black. Returns the former largest
+// value, or 0.
 float normalize(Image& image);
 
 // The 8-bit level of a value in [0, 1].

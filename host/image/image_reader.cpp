@@ -23,7 +23,7 @@ using namespace std::string_view_literals;
 
 struct Format {
   const char* name;
-  std::string_view magic;  // how a file of it begins
+  std::string_view magic;  // first bytes of a file
   std::string_view endings;
   Image (*read)(const EncodedImage&);
 };
@@ -44,7 +44,7 @@ constexpr std::array kFormats{
 };
 constexpr const char* kAllowed = "allowed are BMP, PNG, PPM, PGM, PBM, PFM and EXR";
 
-// Kinds of files that are given a name when they are refused.
+// Other kinds of files, which are refused by name.
 struct OtherKind {
   const char* name;
   std::string_view magic;
@@ -75,8 +75,8 @@ constexpr std::array kOtherKinds{
 
 constexpr std::size_t kBeginning = 64;  // enough to tell the kind
 
-// The letters of netpbm's formats are followed by white space or a comment: so text that begins like them, or
-// PF4, is not taken for one.
+// In netpbm's formats, white space or a comment follows the two letters. Requiring it keeps text that begins
+// with such letters, and PF4 files, from being taken for them.
 bool isOf(const Format& format, std::string_view bytes) {
   if (!bytes.starts_with(format.magic)) return false;
   if (format.magic[0] != 'P') return true;
@@ -96,7 +96,7 @@ const Format& formatOf(const EncodedImage& file) {
   file.fail("is no image that can be read; " + std::string(kAllowed));
 }
 
-// An ending that says another format than that of the file's bytes is no error, but worth a word.
+// An extension that belongs to another format than the file's bytes is not an error, but worth a note.
 void noteFalseEnding(const std::filesystem::path& file, const Format& format, ImageSource& source) {
   const std::string ending = lowerCaseExtension(file) + " ";
   if (format.endings.find(ending) != std::string_view::npos) return;
@@ -109,7 +109,7 @@ void noteFalseEnding(const std::filesystem::path& file, const Format& format, Im
   }
 }
 
-// The bytes of a file that begins like an image; others may have no end.
+// Reads a file only if it begins like an image; any other may never end.
 std::string readBytes(const std::filesystem::path& file) {
   noteRead(file, "the image");
   try {

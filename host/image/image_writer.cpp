@@ -14,7 +14,7 @@ namespace {
 
 using cimg_library::CImg;
 
-// CImg keeps the channels one after the other.
+// CImg stores the channels one after another.
 template <typename Value, typename Convert>
 CImg<Value> planar(const Image& image, const Convert& convert) {
   CImg<Value> result(image.width, image.height, 1, 3);

@@ -9,7 +9,7 @@
 namespace lavaray {
 namespace {
 
-// Without alpha, in [0, 1], black where `isShown` is false.
+// Composited over the background, in [0, 1], and black where `isShown` is false.
 Image displayed(const Image& image, const std::vector<bool>& isShown, bool isTruncated, float background) {
   Image result{image.width, image.height, image.rgb};
   for (std::size_t i = 0; i < result.rgb.size(); ++i) {

@@ -14,8 +14,8 @@
 namespace lavaray {
 namespace {
 
-// 1 or -1. Of any other magnitude programs make different numbers: some multiply by it, some divide, some
-// leave it.
+// Returns 1 or -1. Programs disagree about any other magnitude: some multiply by it, some divide, some ignore
+// it.
 double readScale(const EncodedImage& file, PnmScanner& scanner) {
   const std::string_view text = scanner.word();
   const std::optional<double> scale = parseDecimal(text);

@@ -5,7 +5,7 @@
 
 namespace lavaray {
 
-// PFM in colour (PF) or grey (Pf), of either byte order, with a scale of 1. Throws Error(kInput).
+// Reads PFM in colour (PF) or grey (Pf), in either byte order, with a scale of 1. Throws Error(kInput).
 Image readPfm(const EncodedImage& file);
 
 }  // namespace lavaray

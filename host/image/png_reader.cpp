@@ -19,20 +19,20 @@
 namespace lavaray {
 namespace {
 
-// libpng takes memory for all of a chunk before it finds that the file ends in it.
+// libpng would allocate memory for a whole chunk before it found that the file ends within it.
 void checkChunkLengths(const EncodedImage& file) {
-  constexpr std::size_t kAround = 12;  // length, kind and checksum
+  constexpr std::size_t kFraming = 12;  // length, kind and checksum
   const std::size_t size = file.bytes.size();
   std::size_t at = 8;
-  while (at + kAround <= size) {
+  while (at + kFraming <= size) {
     const std::uint32_t length = fromBigEndian(file.bytes.substr(at, 4));
-    if (length > size - at - kAround) file.failAsCutOff();
+    if (length > size - at - kFraming) file.failAsCutOff();
     if (file.bytes.substr(at + 4, 4) == "IEND") return;
-    at += kAround + length;
+    at += kFraming + length;
   }
 }
 
-// A file that is read as PNG.
+// Reads one file with libpng.
 class Reader {
  public:
   explicit Reader(const EncodedImage& file) : file_(file) {
@@ -40,7 +40,7 @@ class Reader {
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) throw std::bad_alloc();
     png_set_read_fn(png_, this, onRead);
-    // A damaged chunk of transparency must not become an image without it.
+    // Damage to a transparency chunk must not yield an opaque image.
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   }
   ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
@@ -52,12 +52,12 @@ class Reader {
     Image image;
     image.source.maxima = maxima();
     addNotes(image.source.notes);
-    // Deflate makes at most 1032 bytes of one, and each row has a byte more.
+    // Deflate expands one byte to at most 1032, and each row has one extra byte.
     const std::uint64_t rowBytes = png_get_rowbytes(png_, info_) + 1;
     if (rowBytes * png_get_image_height(png_, info_) / 1032 > file_.bytes.size()) file_.failAsCutOff();
     run([&] {
       if (isPalette()) {
-        png_set_packing(png_);  // an index a byte: libpng would make black of one that is beyond the palette
+        png_set_packing(png_);  // one index per byte: libpng would turn one beyond the palette into black
       } else {
         png_set_expand(png_);  // transparency to alpha, 1 to 4 bits to 8
         png_set_gray_to_rgb(png_);
@@ -79,7 +79,7 @@ class Reader {
   }
 
  private:
-  // Throws Error(kInput) where libpng finds an error.
+  // Throws Error(kInput) if libpng finds an error.
   template <typename Body>
   void run(const Body& body) {
     if (!pngSucceeds(png_, body)) file_.fail("is no PNG image or is damaged: " + message_);
@@ -92,7 +92,7 @@ class Reader {
     reader.at_ += count;
   }
 
-  // What libpng ignores of a bad chunk of these would change the picture.
+  // libpng ignores such a chunk if it is bad, but that would change the image.
   static void onReadWarning(png_structp png, png_const_charp message) {
     const std::string_view text = message;
     if (text.starts_with("tRNS") || text.starts_with("PLTE")) png_error(png, message);

@@ -18,13 +18,13 @@ bool isAscii(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x80; });
 }
 
-// Points into the entries.
+// The result points into the entries.
 std::vector<png_text> pngTexts(const TextEntries& entries) {
   std::vector<png_text> texts;
   for (const auto& [keyword, text] : entries) {
     png_text entry{};
     entry.compression = isAscii(text) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-    entry.key = const_cast<png_charp>(keyword.c_str());  // libpng copies both
+    entry.key = const_cast<png_charp>(keyword.c_str());  // libpng copies key and text
     entry.text = const_cast<png_charp>(text.c_str());
     texts.push_back(entry);
   }
@@ -39,7 +39,7 @@ struct PngWriter::Library {
   std::string message = "libpng cannot be started";
   ~Library() { png_destroy_write_struct(&png, &info); }
 
-  // What goes wrong in the stream itself is for its owner to tell.
+  // Errors of the stream itself are for its owner to report.
   template <typename Body>
   void run(std::FILE* stream, const Body& body) {
     if (!pngSucceeds(png, body) && std::ferror(stream) == 0) fail();

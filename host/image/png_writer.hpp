@@ -10,9 +10,9 @@
 
 namespace lavaray {
 
-// Writes a PNG file row by row, 8 bits a channel, and the texts: as tEXt, or as iTXt, which is UTF-8, where
-// one is not ASCII. Throws Error(kOutput) for what libpng refuses; whether all was written is for the owner
-// of the stream to check.
+// Writes a PNG file row by row with 8 bits per channel. Texts become tEXt chunks, or iTXt, which is UTF-8, if
+// they are not ASCII. Throws Error(kOutput) if libpng refuses; whether everything was written is for the
+// stream's owner to check.
 class PngWriter {
  public:
   PngWriter(int width, int height, const TextEntries& texts, std::FILE* stream);
@@ -22,7 +22,7 @@ class PngWriter {
 
   // The next row, of 3 * width values.
   void writeRow(std::span<const float> rgb);
-  // After the last row; these texts are written behind the pixels.
+  // After the last row. These texts follow the pixels.
   void finish(const TextEntries& texts);
 
  private:

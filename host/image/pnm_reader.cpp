@@ -8,9 +8,9 @@
 namespace lavaray {
 namespace {
 
-constexpr std::uint32_t kAnySide = 0xFFFFFFFF;  // blankImage() knows the bounds
+constexpr std::uint32_t kAnySide = 0xFFFFFFFF;  // checkSides() knows the limits
 
-// `next` gives the file's values one after the other.
+// `next` returns the file's values one after another.
 template <typename Next>
 void fill(Image& image, bool isGrey, const Next& next) {
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
@@ -62,7 +62,7 @@ Image readPnm(const EncodedImage& file) {
     const std::uint64_t values = std::uint64_t{isGrey ? 1U : 3U} * width * height;
     const std::size_t valueBytes = maximum > 255 ? 2 : 1;
     const bool isText = kind <= '3';
-    if (isText) scanner.requireText(2 * values);  // a blank and a digit each
+    if (isText) scanner.requireText(2 * values);  // each takes at least a blank and a digit
     const std::string_view pixels = isText ? std::string_view() : scanner.pixels(valueBytes * values);
     image = file.blankImage(width, height);
     std::size_t at = 0;

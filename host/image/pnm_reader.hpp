@@ -5,8 +5,8 @@
 
 namespace lavaray {
 
-// The formats of netpbm: PBM (P1, P4), PGM (P2, P5) and PPM (P3, P6), as text or binary, with any maximum
-// from 1 to 65535. A grey image has three equal channels. Throws Error(kInput).
+// Reads netpbm's formats PBM (P1, P4), PGM (P2, P5) and PPM (P3, P6), text or binary, with any maximum from 1
+// to 65535. A grey image has three equal channels. Throws Error(kInput).
 Image readPnm(const EncodedImage& file);
 
 }  // namespace lavaray

@@ -9,7 +9,7 @@
 namespace lavaray {
 namespace {
 
-// In every locale.
+// Unlike std::isspace, the same in every locale.
 bool isBlank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
@@ -53,14 +53,14 @@ std::uint32_t PnmScanner::bit() {
 
 std::string_view PnmScanner::pixels(std::uint64_t size) {
   std::string_view rest = file_.bytes.substr(at_);
-  if (rest.starts_with('#')) {  // right behind the last number: the end of its line is the white space
+  if (rest.starts_with('#')) {  // right after the last number: the end of its line is the white space
     rest.remove_prefix(std::min(rest.find_first_of("\n\r"), rest.size()));
   }
   if (!rest.empty()) rest.remove_prefix(1);
   if (rest.size() < size) file_.failAsCutOff();
   const std::string_view after = rest.substr(size);
-  // A line end too many behind the header shifts all pixels, as a comment there does; a line end too many
-  // behind the pixels does no harm.
+  // An extra line end or a comment after the header shifts all pixels; an extra line end after the pixels
+  // does no harm.
   const bool mayBeHeader = rest.starts_with('\n') || rest.starts_with('#');
   if (!after.empty() && (mayBeHeader || !std::all_of(after.begin(), after.end(), isBlank))) {
     file_.fail("is " + std::to_string(after.size()) +

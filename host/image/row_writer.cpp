@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kBmpHeaderBytes = 54;
 constexpr std::size_t kBlockBytes = std::size_t{1} << 18U;
 
-// BMP's rows have a multiple of four bytes.
+// A BMP row takes a multiple of four bytes.
 std::size_t rowBytes(ImageFormat format, int width) {
   const std::size_t values = std::size_t{3} * width;
   if (format == ImageFormat::kPfm) return values * sizeof(float);
@@ -54,7 +54,7 @@ RowWriter::RowWriter(ImageFormat format, int width, int height, std::FILE* strea
       break;
     case ImageFormat::kPng:
       png_ = std::make_unique<PngWriter>(width, height, texts, stream);
-      return;  // It has rows of its own, as the next one.
+      return;  // It keeps its own row, as EXR does.
     case ImageFormat::kExr:
     case ImageFormat::kExrHalf:
       exr_ = std::make_unique<ExrWriter>(
@@ -81,13 +81,13 @@ void RowWriter::writeBmpHeader(int width, int height) {
   const auto pixelBytes = static_cast<std::uint32_t>(std::uint64_t{rowBytes_} * height);  // checkBmpSize()
   put(2, kBmpHeaderBytes + pixelBytes, 4);
   put(10, kBmpHeaderBytes, 4);
-  put(14, 40, 4);  // bytes of the second half of the header
+  put(14, 40, 4);  // size of the second half of the header
   put(18, static_cast<std::uint32_t>(width), 4);
   put(22, static_cast<std::uint32_t>(height), 4);
   put(26, 1, 2);   // planes
-  put(28, 24, 2);  // bits a pixel
+  put(28, 24, 2);  // bits per pixel
   put(34, pixelBytes, 4);
-  // Pixels a metre, of which nothing is known: the number that CImg writes.
+  // Pixels per metre, which nobody knows: the number that CImg writes.
   put(38, 256, 4);
   put(42, 256, 4);
   std::fwrite(header.data(), 1, header.size(), stream_);
@@ -116,8 +116,8 @@ void RowWriter::writeBlock() {
   const std::uint8_t* rows = block_.data();
   if (isBottomUp()) {
     rows += (blockRows_ - waiting_) * rowBytes_;
-    const std::int64_t place = pixels_ + rowsLeft_ * static_cast<std::int64_t>(rowBytes_);
-    if (fseeko(stream_, static_cast<off_t>(place), SEEK_SET) != 0 && std::ferror(stream_) == 0) {
+    const std::int64_t position = pixels_ + rowsLeft_ * static_cast<std::int64_t>(rowBytes_);
+    if (fseeko(stream_, static_cast<off_t>(position), SEEK_SET) != 0 && std::ferror(stream_) == 0) {
       throw Error(ExitCode::kOutput, std::string("the image cannot be written: ") + std::strerror(errno));
     }
   }

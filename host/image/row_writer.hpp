@@ -12,18 +12,18 @@
 
 namespace lavaray {
 
-// Writes the same bytes as writeImage, row by row from the top, for images that are too large to be held.
+// Writes the same bytes as writeImage, but row by row from the top, for images too large to hold in memory.
 class RowWriter {
  public:
-  // A stream of a format that has its rows from the bottom to the top, BMP and PFM, must be one of a file, in
-  // which places can be gone to. Throws Error(kOutput) where the image is too large for the format. Whether
-  // all was written is for the owner of the stream to check.
+  // For BMP and PFM, which store rows from the bottom up, and for EXR the stream must be seekable. Throws
+  // Error(kOutput) if the image is too large for the format. Whether everything was written is for the
+  // stream's owner to check.
   RowWriter(ImageFormat format, int width, int height, std::FILE* stream, const TextEntries& texts);
 
   // The next row, of 3 * width values in [0, 1].
   void write(std::span<const float> rgb);
-  // After the last row, with what is to be said of the image and was not known before it; EXR's texts stand
-  // before the pixels only.
+  // After the last row, with texts that were not known before it. EXR cannot take these, as its texts precede
+  // the pixels.
   void finish(const TextEntries& texts = {});
 
  private:
@@ -35,13 +35,14 @@ class RowWriter {
   std::FILE* stream_;
   std::unique_ptr<PngWriter> png_;
   std::unique_ptr<ExrWriter> exr_;
-  // Rows wait in a block, as the file has them: those of a narrow image would be a system call each.
+  // Rows are collected in a block, in file order: otherwise each row of a narrow image would cost a system
+  // call.
   std::size_t rowBytes_;
   std::size_t blockRows_;
   std::vector<std::uint8_t> block_;
   std::size_t waiting_ = 0;  // rows in the block
-  std::int64_t pixels_ = 0;  // place of the first of them in the file
-  std::int64_t rowsLeft_;    // that are not in the file yet
+  std::int64_t pixels_ = 0;  // position in the file where the pixels begin
+  std::int64_t rowsLeft_;    // not written to the file yet
 };
 
 }  // namespace lavaray
