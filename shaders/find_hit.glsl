@@ -5,15 +5,15 @@
 #include "traverse.glsl"
 
 // Finds the first surface that the ray hits before hit.t, or any one of them if `anyHit`; not the one named `skipped`.
-// `start` is as for traverse.
+// `entry` is as for traverse.
 // A plane is an object of its own, so it is compared by object. Returns false if the device ended the loops before the
 // search was over.
-bool findHit(const bool anyHit, Ray given, uint skipped, uint start, inout Hit hit, inout uint tests) {
+bool findHit(const bool anyHit, Ray given, uint skipped, uint entry, inout Hit hit, inout uint tests) {
   const Ray ray = withoutDenormals(given);
   if (kFewPrimitives) {
     if (!testEach(ray, skipped, hit, tests)) return false;
   } else if (kHasSpheres || kHasTriangles) {
-    if (!traverse(anyHit, ray, skipped, start, hit, tests)) return false;
+    if (!traverse(anyHit, ray, skipped, entry, hit, tests)) return false;
   }
   uint i = 0u;
   for (; i < kPlaneCount && !(anyHit && hit.surface != kNoSurface); ++i) {

@@ -32,7 +32,7 @@ void hitPrimitive(Ray ray, RayConstants constants, uint index, inout Hit hit) {
   const Primitive primitive = fetchPrimitive(index);
   vec3 weights = vec3(0.0);
   float t = kInfinity;
-  if (kHasSpheres && (!kHasTriangles || primitive.kind == kSphere)) {
+  if (kHasSpheres && (!kHasTriangles || primitive.kind == kPrimitiveSphere)) {
     t = intersectSphere(ray, primitive.a, primitive.b.x);
   } else if (kHasTriangles) {
     t = intersectTriangle(ray, constants, primitive.a, primitive.b, primitive.c, weights);

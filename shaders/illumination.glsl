@@ -31,9 +31,9 @@ vec2 lightPoint(PathSettings settings, uint use, uint directions, uint i) {
   const uint seed = hashCombine(settings.seed, use);
   const uint companion = use - kUseOfFirstLight;
   const bool isCompanion = directions == 1u && companion < kCompanions;
-  const uint place = isCompanion ? companionPlace(settings.place, companion)
-                                 : shuffledPlace(settings.index * directions + i, seed);
-  return pairAt(place, seed);
+  const uint index = isCompanion ? companionIndex(settings.shuffledIndex, companion)
+                                 : shuffledIndex(settings.index * directions + i, seed);
+  return pairAt(index, seed);
 }
 
 // The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns false

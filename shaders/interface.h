@@ -69,7 +69,7 @@ const uint kBindingCornerNormals = 3u;
 const uint kBindingPlanes = 4u;
 const uint kBindingLights = 5u;
 const uint kBindingMaterials = 6u;
-const uint kBindingTileStarts = 7u;
+const uint kBindingEntryNodes = 7u;
 const uint kBindingFilter = 8u;
 const uint kBindingWork = 9u;
 const uint kBindingResults = 10u;
@@ -92,18 +92,18 @@ const uint kSpecStackSize = 10u;
 const uint kSpecView = 11u;
 const uint kSpecFewSpheres = 12u;  // of a scene of few primitives, as the next one
 const uint kSpecFewTriangles = 13u;
-const uint kSpecHasTileStarts = 14u;
+const uint kSpecHasEntryNodes = 14u;
 const uint kSpecAsData = 15u;
 const uint kSpecCount = 16u;
 
 // A WorkResult's squares where there is none yet.
-const float kUnfinished = -1.0f;
+const float kSquaresUnfinished = -1.0f;
 
-// Values of DispatchConstants::pass: which work items a dispatch does. Only a resumable pipeline can leave an
+// Values of DispatchConstants::mode: which work items a dispatch does. Only a resumable pipeline can leave an
 // item half done and go on with it.
-const uint kPassAll = 0u;
-const uint kPassUnfinished = 1u;  // those that an earlier dispatch gave up, from the start
-const uint kPassResumed = 2u;     // those that an earlier dispatch left half done, from there
+const uint kModeAll = 0u;
+const uint kModeUnfinished = 1u;  // those that an earlier dispatch gave up, from the start
+const uint kModeResumed = 2u;     // those that an earlier dispatch left half done, from there
 
 // Values of kSpecSampling: where the samples of a pixel come from.
 const uint kSamplingCenter = 0u;  // one sample in the pixel's centre
@@ -119,9 +119,9 @@ const uint kViewShadow = 4u;  // share of the lights that are not blocked
 const uint kViewCost = 5u;    // nodes and primitives that the rays are tested against
 // Where kSpecAsData is set, kViewNormal is n, and kViewObject the object's number, counted from 1.
 
-// An inner node of the BVH with the boxes of up to four children. On each axis the side s of a box lies at origin +
-// s 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in it. A child that
-// is not there has lower sides above its upper ones.
+// An inner node of the BVH with the boxes of up to four children. On each axis the bound b of a box lies at origin +
+// b 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in it. A child that
+// is not there has lower bounds above its upper ones.
 // Based on: Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 // 2017, four wide and with children that lie anywhere.
 struct BvhNode {
@@ -143,19 +143,20 @@ const uint kGroupNodeShift = 8u;
 const uint kGroupSlotsShift = 2u;
 const uint kRootGroup = 1u;  // the only child of the node above the root
 
-const uint kTileStartsPerTexel = 4u;  // packed groups
+const uint kEntryNodesPerTexel = 4u;  // packed groups
 
-const uint kNoCornerNormals = 0xFFFFFFFFu;
-const uint kSphere = 0xFFFFFFFEu;
+// Values of Primitive::kind; any other is a triangle's first corner normal of three.
+const uint kPrimitiveFlatTriangle = 0xFFFFFFFFu;  // one that has its own normal only
+const uint kPrimitiveSphere = 0xFFFFFFFEu;
 
 // A triangle's vertices a, b, c, or a sphere's centre a and radius b.x.
 struct Primitive {
   vec3 a;
-  uint kind;  // kSphere, or a triangle's first corner normal of three, or kNoCornerNormals
+  uint kind;  // kPrimitiveSphere, ...
   vec3 b;
   uint object;  // index of its material
   vec3 c;
-  uint order;  // place in the scene file: of two at the same distance the lower one is seen
+  uint order;  // in the scene file: of two at the same distance the lower one is seen
 };
 LAVARAY_SIZE(Primitive, 48);
 const uint kTexelsPerPrimitive = 3u;
@@ -224,7 +225,7 @@ LAVARAY_SIZE(WorkItem, 16);
 // The sum of a work item's colours, each clamped to [0, 1], and of their squares in the mean over the channels.
 struct WorkResult {
   vec3 sum;
-  float squares;  // kUnfinished: the item needs another dispatch
+  float squares;  // kSquaresUnfinished: the item needs another dispatch
 };
 LAVARAY_SIZE(WorkResult, 16);
 
@@ -266,13 +267,13 @@ struct DispatchConstants {
   uint cropY;
   uint cropWidth;
   uint itemCount;
-  uint pass;           // kPassAll, ...
+  uint mode;           // kModeAll, ...
   uint seed;
   uint maxDepth;       // mirror bounces
   uint filterSize;     // entries of the filter's table; 0 is the box
   uint firstPixel;     // of the items, where they are consecutive pixels (kSamplingCenter)
-  // Camera rays through a square of 2^tileShift pixels of the crop start at its own node, where the pipeline has tile
-  // starts: tiles are counted row by row, tilesAcross in one.
+  // Camera rays through a square of 2^tileShift pixels of the crop start at its entry node, where the pipeline has
+  // entry nodes: tiles are counted row by row, tilesAcross in one.
   uint tileShift;
   uint tilesAcross;
 };

@@ -29,7 +29,7 @@ vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : 
 
 // A device may take a denormal number for zero; here each does. In a direction its inverse is infinite, and so it
 // bounds the ray at sides that zero leaves open; in an origin it keeps such a ray out of a box that it touches.
-vec3 withoutDenormals(vec3 v) { return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kLeastNormal))); }
+vec3 withoutDenormals(vec3 v) { return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kMinNormal))); }
 Ray withoutDenormals(Ray ray) { return Ray(withoutDenormals(ray.origin), withoutDenormals(ray.direction)); }
 
 // The ray has no denormal numbers.

@@ -5,22 +5,22 @@
 #include "intersect.glsl"
 #include "scene_data.glsl"
 
-// Four sides, a byte each, of boxes in a node's frame.
-vec4 decodeSides(uint sides, float origin, float unit) {
-  return vec4((uvec4(sides) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
+// Four bounds, a byte each, of boxes in a node's frame.
+vec4 decodeBounds(uint bounds, float origin, float unit) {
+  return vec4((uvec4(bounds) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
 }
 
 // Where the ray enters the boxes of the node's children, as intersectBoxes.
 vec4 enterChildren(Ray ray, RayConstants constants, uint index, float tMax) {
   const BvhNode node = fetchNode(index);
-  const uvec3 nearSides = mix(node.lower, node.upper, constants.negative);
-  const uvec3 farSides = mix(node.upper, node.lower, constants.negative);
+  const uvec3 nearBounds = mix(node.lower, node.upper, constants.negative);
+  const uvec3 farBounds = mix(node.upper, node.lower, constants.negative);
   vec4 near[3];
   vec4 far[3];
   for (int axis = 0; axis < 3; ++axis) {
     const float unit = uintBitsToFloat(((node.exponents >> (8 * axis)) & 255u) << 23);
-    near[axis] = decodeSides(nearSides[axis], node.origin[axis], unit);
-    far[axis] = decodeSides(farSides[axis], node.origin[axis], unit);
+    near[axis] = decodeBounds(nearBounds[axis], node.origin[axis], unit);
+    far[axis] = decodeBounds(farBounds[axis], node.origin[axis], unit);
   }
   return intersectBoxes(ray, constants, near, far, tMax);
 }

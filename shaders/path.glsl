@@ -9,7 +9,7 @@
 struct Segment {
   Ray ray;
   uint skipped;  // the surface that it leaves
-  uint start;    // where in the hierarchy the search begins
+  uint entry;    // the packed group that the search starts with
   vec3 weight;   // product of the mirrors' reflectances so far
 };
 
@@ -20,7 +20,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   ended = true;
   Hit hit = missUpTo(kInfinity);
   uint tests = 0u;
-  if (!findHit(false, segment.ray, segment.skipped, segment.start, hit, tests)) return false;
+  if (!findHit(false, segment.ray, segment.skipped, segment.entry, hit, tests)) return false;
   // Where the path is traced again, they have been added already.
   const bool isNew = !kResumable || (bounce == state.bounce && state.step == 0u);
   if (kCountsTests && isNew) state.tests += tests;
@@ -46,7 +46,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   const vec3 direction = incoming - 2.0 * preciseDot(incoming, point.shadingNormal) * point.shadingNormal;
   segment.ray = Ray(leave(point, direction), direction);
   segment.skipped = hit.surface;
-  segment.start = kRootGroup;
+  segment.entry = kRootGroup;
   ++counts.mirror;
   ended = false;
   return true;
@@ -55,8 +55,8 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
 // Returns false where the path could not be finished; state says what is missing. Without mirrors a path is one
 // segment: the loop's condition is then the constant false, and compilers unwrap it, which they do not do with a
 // for loop that turns once.
-bool tracePath(Ray ray, uint start, PathSettings settings, inout PathState state, inout RayCounts counts) {
-  Segment segment = Segment(ray, kNoSurface, start, vec3(1.0));
+bool tracePath(Ray ray, uint entry, PathSettings settings, inout PathState state, inout RayCounts counts) {
+  Segment segment = Segment(ray, kNoSurface, entry, vec3(1.0));
   bool finished = false;
   bool ended = false;
   uint bounce = 0u;

@@ -31,7 +31,7 @@ struct PathSettings {
   uint maxDepth;  // mirror bounces
   uint index;     // of the sample, and
   uint seed;      // its sequences
-  uint place;     // in that of the position in the pixel
+  uint shuffledIndex;  // in that of the position in the pixel
 };
 
 #endif

@@ -47,26 +47,26 @@ uint sobolSecond(uint index) {
 // The upper 24 bits as a number in [0, 1).
 float unitInterval(uint x) { return float(x >> 8) * 5.9604645e-8; }
 
-// The place of sample `index` in a sequence: its indices are shuffled so that every power of two from 0 on stays a
+// The index of sample `index` in a sequence whose indices are shuffled so that every power of two from 0 on stays a
 // permutation of itself. With a shuffle of its own and values of its own, by its seed, a sequence is independent of
 // others.
-uint shuffledPlace(uint index, uint seed) { return kSampling == kSamplingRandom ? index : scramble(index, seed); }
+uint shuffledIndex(uint index, uint seed) { return kSampling == kSamplingRandom ? index : scramble(index, seed); }
 
-// What is at a place of a two-dimensional sequence in [0, 1)^2: every power of two places from 0 on is a (0, 2)-net.
+// The point at an index of a two-dimensional sequence in [0, 1)^2: every power of two points from 0 on is a (0, 2)-net.
 // Based on: Burley, "Practical Hash-based Owen Scrambling", 2020.
-vec2 pairAt(uint place, uint seed) {
+vec2 pairAt(uint index, uint seed) {
   if (kSampling == kSamplingRandom) {
-    const uint random = hashCombine(seed, place);
+    const uint random = hashCombine(seed, index);
     return vec2(unitInterval(random), unitInterval(hash(random ^ 0x68BC21EBu)));
   }
-  const uint x = bitfieldReverse(scrambleReversed(place, hashCombine(seed, 1u)));
-  const uint y = scramble(sobolSecond(place), hashCombine(seed, 2u));
+  const uint x = bitfieldReverse(scrambleReversed(index, hashCombine(seed, 1u)));
+  const uint y = scramble(sobolSecond(index), hashCombine(seed, 2u));
   return vec2(unitInterval(x), unitInterval(y));
 }
 
 // A sequence has this many companions: each a (0, 2)-sequence with a seed of its own, and with the first one a
-// sequence in four dimensions that is stratified as such, which two independent ones are not. A companion's place is
-// the place, taken as a polynomial over the field of two elements with its highest bit first, times a factor with
+// sequence in four dimensions that is stratified as such, which two independent ones are not. A companion's index is
+// the index, taken as a polynomial over the field of two elements with its highest bit first, times a factor with
 // six terms, as far as it does not go below the lowest bit. Here is, for each term but the first, which is 1, the bits
 // that it goes down, a hexadecimal digit a companion, that of number 0 the lowest. Any factors serve; these were
 // searched for as those that leave least of the variance of penumbrae 0.7 to 33 pixels wide, at 4 to 65,536 samples,
@@ -78,10 +78,10 @@ const uvec2 kCompanionShifts[kCompanionTerms] =
     uvec2[](uvec2(0x23312131u, 0x31421411u), uvec2(0x34733352u, 0x44544622u), uvec2(0x85844765u, 0x85657736u),
             uvec2(0xB9B68998u, 0xC7969D58u), uvec2(0xFBC9FBCAu, 0xFEABCE9Eu));
 
-uint companionPlace(uint place, uint companion) {
-  uint product = place;
+uint companionIndex(uint index, uint companion) {
+  uint product = index;
   for (uint i = 0u; i < kCompanionTerms; ++i) {
-    product ^= place >> (kCompanionShifts[i][companion / 8u] >> 4u * (companion % 8u) & 15u);
+    product ^= index >> (kCompanionShifts[i][companion / 8u] >> 4u * (companion % 8u) & 15u);
   }
   return product;
 }

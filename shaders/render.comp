@@ -20,11 +20,11 @@ layout(std430, set = 0, binding = kBindingStates) buffer States { WorkState stat
 layout(std430, set = 0, binding = kBindingStatus) buffer Status { DispatchStatus status; };
 layout(push_constant) uniform PushConstants { DispatchConstants constants; };
 
-// `place` and `seed` are those of the sequence of positions.
-Ray sampleRay(uvec2 pixel, uint place, uint seed) {
+// `index` and `seed` are those of the sequence of positions.
+Ray sampleRay(uvec2 pixel, uint index, uint seed) {
   vec2 offset = vec2(0.0);
   if (kSampling != kSamplingCenter) {
-    const vec2 u = pairAt(place, seed);
+    const vec2 u = pairAt(index, seed);
     offset = vec2(filterOffset(u.x, constants.filterSize), filterOffset(u.y, constants.filterSize));
   }
   const vec2 position = (vec2(pixel) + 0.5 + offset) * constants.pixelSize;
@@ -33,22 +33,22 @@ Ray sampleRay(uvec2 pixel, uint place, uint seed) {
 
 // Clamped to [0, 1]; written so that a NaN becomes 0. So does what is so small that the denormal numbers, which some
 // devices take for zero, have changed it.
-float displayed(float c) { return c >= kLeastExact ? min(c, 1.0) : 0.0; }
+float displayed(float c) { return c >= kMinExact ? min(c, 1.0) : 0.0; }
 vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g), displayed(color.b)); }
 
 // The packed group that the pixel's camera rays start with.
-uint startGroup(uvec2 pixelInCrop) {
-  if (!kHasTileStarts) return kRootGroup;
+uint entryGroup(uvec2 pixelInCrop) {
+  if (!kHasEntryNodes) return kRootGroup;
   const uvec2 tile = pixelInCrop >> constants.tileShift;
-  return fetchTileStart(tile.y * constants.tilesAcross + tile.x);
+  return fetchEntryNode(tile.y * constants.tilesAcross + tile.x);
 }
 
 // Takes the sample that the state is at. Returns false where it could not be finished.
-bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
+bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
   PathState path = PathState(state.color, state.bounce, state.step, state.tests);
   const uint pixelSeed = hashCombine(seed, kUseOfPixel);
-  const PathSettings settings = PathSettings(constants.maxDepth, index, seed, shuffledPlace(index, pixelSeed));
-  const bool finished = tracePath(sampleRay(pixel, settings.place, pixelSeed), start, settings, path, counts);
+  const PathSettings settings = PathSettings(constants.maxDepth, index, seed, shuffledIndex(index, pixelSeed));
+  const bool finished = tracePath(sampleRay(pixel, settings.shuffledIndex, pixelSeed), entry, settings, path, counts);
   if (finished) {
     vec3 color = path.color;
     if (kView == kViewCost) color = vec3(path.tests);
@@ -70,13 +70,13 @@ bool takeSample(uvec2 pixel, uint start, uint index, uint seed, inout WorkState 
 bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
   const uvec2 inCrop = uvec2(item.pixel % constants.cropWidth, item.pixel / constants.cropWidth);
   const uvec2 pixel = inCrop + uvec2(constants.cropX, constants.cropY);
-  const uint start = startGroup(inCrop);
+  const uint entry = entryGroup(inCrop);
   // The 0 keeps the samples where they have always been.
   const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), 0u);
   bool finished;
   uint i = state.taken;
   do {
-    finished = takeSample(pixel, start, item.first + i, seed, state, counts);
+    finished = takeSample(pixel, entry, item.first + i, seed, state, counts);
     ++i;
   } while (kSampling != kSamplingCenter && finished && i < item.count);
   return state.taken == item.count;
@@ -97,12 +97,12 @@ void main() {
   if (index >= constants.itemCount) return;
   WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0.0, 0u, 0u);
   if (kResumable) {
-    // Both are read whether the pass needs them or not: what Mesa 26.1's llvmpipe makes of a buffer that it first
+    // Both are read whether the mode needs them or not: what Mesa 26.1's llvmpipe makes of a buffer that it first
     // reads under a condition ends in a fault.
     const float squares = results[index].squares;
     const WorkState left = states[index];
-    if (constants.pass != kPassAll && squares >= 0.0) return;
-    if (constants.pass == kPassResumed) state = left;
+    if (constants.mode != kModeAll && squares >= 0.0) return;
+    if (constants.mode == kModeResumed) state = left;
   }
   const WorkState before = state;
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
@@ -119,5 +119,5 @@ void main() {
       states[index] = state;
     }
   }
-  results[index] = WorkResult(state.sum, finished ? state.squares : kUnfinished);
+  results[index] = WorkResult(state.sum, finished ? state.squares : kSquaresUnfinished);
 }

@@ -26,7 +26,7 @@ layout(constant_id = kSpecHasMirrors) const bool kHasMirrors = false;
 layout(constant_id = kSpecHasSphericalLights) const bool kHasSphericalLights = false;
 layout(constant_id = kSpecFewSpheres) const uint kFewSpheres = 0u;
 layout(constant_id = kSpecFewTriangles) const uint kFewTriangles = 0u;
-layout(constant_id = kSpecHasTileStarts) const bool kHasTileStarts = false;
+layout(constant_id = kSpecHasEntryNodes) const bool kHasEntryNodes = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = kMaxBvhDepth;
 
 #ifndef LAVARAY_SCENE_IN_STORAGE
@@ -37,7 +37,7 @@ layout(set = 0, binding = kBindingCornerNormals) uniform utextureBuffer cornerNo
 layout(set = 0, binding = kBindingPlanes) uniform utextureBuffer planeTexels;
 layout(set = 0, binding = kBindingLights) uniform utextureBuffer lightTexels;
 layout(set = 0, binding = kBindingMaterials) uniform utextureBuffer materialTexels;
-layout(set = 0, binding = kBindingTileStarts) uniform utextureBuffer tileStartTexels;
+layout(set = 0, binding = kBindingEntryNodes) uniform utextureBuffer entryNodeTexels;
 #define TEXEL(texels, index) texelFetch(texels, int(index))
 #else
 layout(std430, set = 0, binding = kBindingNodes) readonly buffer Nodes { uvec4 nodeTexels[]; };
@@ -47,7 +47,7 @@ layout(std430, set = 0, binding = kBindingCornerNormals) readonly buffer CornerN
 layout(std430, set = 0, binding = kBindingPlanes) readonly buffer Planes { uvec4 planeTexels[]; };
 layout(std430, set = 0, binding = kBindingLights) readonly buffer Lights { uvec4 lightTexels[]; };
 layout(std430, set = 0, binding = kBindingMaterials) readonly buffer Materials { uvec4 materialTexels[]; };
-layout(std430, set = 0, binding = kBindingTileStarts) readonly buffer TileStarts { uvec4 tileStartTexels[]; };
+layout(std430, set = 0, binding = kBindingEntryNodes) readonly buffer EntryNodes { uvec4 entryNodeTexels[]; };
 #define TEXEL(texels, index) texels[index]
 #endif
 
@@ -90,8 +90,8 @@ Plane fetchPlane(uint index) {
 }
 
 // The packed group that camera rays through the tile start with.
-uint fetchTileStart(uint tile) {
-  const uvec4 t = TEXEL(tileStartTexels, tile / kTileStartsPerTexel);
+uint fetchEntryNode(uint tile) {
+  const uvec4 t = TEXEL(entryNodeTexels, tile / kEntryNodesPerTexel);
   const uvec2 pair = (tile & 2u) == 0u ? t.xy : t.zw;
   return (tile & 1u) == 0u ? pair.x : pair.y;
 }

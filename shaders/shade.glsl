@@ -13,7 +13,7 @@ float oneMinusCosine(vec3 a, vec3 b) {
 }
 
 // A power so small that it may be a denormal number, which the brightest light must not bring back, is none.
-float withoutTraces(float power) { return power >= kLeastExact ? power : 0.0; }
+float withoutTraces(float power) { return power >= kMinExact ? power : 0.0; }
 
 // cosine^shininess, with 0^0 = 1; a negative cosine counts as 0. The built-in pow is undefined for 0^0, and close to 1
 // its logarithm has too few digits for a high power: there it is the series 2 artanh(x) = ln((1 + x) / (1 - x)).

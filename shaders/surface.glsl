@@ -52,7 +52,7 @@ SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direc
   SurfacePoint point = pointOnPlane(near, plane.normal, plane.distance, direction);
   const vec3 extent = max(abs(primitive.b - primitive.a), abs(primitive.c - primitive.a));
   point.error += kExtentUlps * kHalfUlp * maxComponent(extent);
-  if (kHasCornerNormals && primitive.kind != kNoCornerNormals) {
+  if (kHasCornerNormals && primitive.kind != kPrimitiveFlatTriangle) {
     const vec3 normal = interpolatedNormal(primitive.kind, hit.weights, point.geometricNormal);
     if (normal != vec3(0.0)) point.shadingNormal = normal;
   }
@@ -66,7 +66,7 @@ SurfacePoint surfacePoint(Ray ray, Hit hit) {
     return pointOnPlane(near, plane.normal, plane.distance, ray.direction);
   }
   const Primitive primitive = fetchPrimitive(hit.surface);
-  if (kHasSpheres && (!kHasTriangles || primitive.kind == kSphere)) {
+  if (kHasSpheres && (!kHasTriangles || primitive.kind == kPrimitiveSphere)) {
     return pointOnSphere(near, primitive.a, primitive.b.x);
   }
   return pointOnTriangle(near, hit, primitive, ray.direction);

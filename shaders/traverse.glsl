@@ -8,7 +8,7 @@
 const uint kNoReference = 0xFFFFFFFFu;  // of a node or a leaf
 
 // Finds the first primitive that the ray hits before hit.t, or any one of them if `anyHit`; not the one named
-// `skipped`. Searches the packed group `start`, which is kRootGroup, or holds all that the ray can hit. Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
+// `skipped`. Searches the packed group `entry`, which is kRootGroup, or holds all that the ray can hit. Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
 //
 // One turn of the inner loop takes the nearest child that waits and, if it is an inner node, finds which of its
 // children the ray enters; the loop ends at a leaf, or where nothing waits. A lane that has its leaf waits for
@@ -16,11 +16,11 @@ const uint kNoReference = 0xFFFFFFFFu;  // of a node or a leaf
 //
 // Each exit that a device may force is told from a search that is over: by a reference to an inner node, a leaf's
 // primitives that are left, and `over`.
-bool traverse(const bool anyHit, Ray ray, uint skipped, uint start, inout Hit hit, inout uint tests) {
+bool traverse(const bool anyHit, Ray ray, uint skipped, uint entry, inout Hit hit, inout uint tests) {
   const RayConstants constants = rayConstants(ray);
   GroupStack stack;
   for (uint i = 0u; i < kStackSize; ++i) stack.entries[i] = 0u;
-  NodeGroup group = unpackGroup(start);
+  NodeGroup group = unpackGroup(entry);
   bool over = false;
   uint steps = 0u;
   do {

@@ -3,8 +3,8 @@
 #define VECTOR_GLSL
 
 const float kInfinity = 1.0 / 0.0;
-const float kLeastNormal = 1.17549435e-38;  // 2^-126: what is below is a denormal number
-const float kLeastExact = 7.8886091e-31;      // 2^-100: what denormal numbers add to this or more rounds to nothing
+const float kMinNormal = 1.17549435e-38;  // 2^-126: what is below is a denormal number
+const float kMinExact = 7.8886091e-31;      // 2^-100: what denormal numbers add to this or more rounds to nothing
 
 float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
 float minComponent(vec3 v) { return min(v.x, min(v.y, v.z)); }

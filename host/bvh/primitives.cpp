@@ -39,7 +39,7 @@ class Collector {
       if (sphere < scene_.spheres.size() && scene_.spheres[sphere].object == object) {
         addSphere(scene_.spheres[sphere++]);
       } else if (triangle < scene_.triangles.size() && scene_.triangles[triangle].object == object) {
-        addTriangle(scene_.triangles[triangle++].vertices, object, gpu::kNoCornerNormals);
+        addTriangle(scene_.triangles[triangle++].vertices, object, gpu::kPrimitiveFlatTriangle);
       } else if (mesh < scene_.meshObjects.size() && scene_.meshObjects[mesh].object == object) {
         addMesh(scene_.meshes[scene_.meshObjects[mesh++].mesh], object);
       }
@@ -52,8 +52,8 @@ class Collector {
 
   void addSphere(const Sphere& sphere) {
     const glm::vec3 radius(frame_.length(sphere.radius), 0.0F, 0.0F);
-    result_.shapes.push_back(
-        {frame_.position(sphere.center), gpu::kSphere, radius, sphere.object, glm::vec3(0.0F), nextOrder()});
+    result_.shapes.push_back({frame_.position(sphere.center), gpu::kPrimitiveSphere, radius, sphere.object,
+                              glm::vec3(0.0F), nextOrder()});
     if (hasTriangles()) result_.planes.push_back({glm::vec3(0.0F), 0.0F});
   }
 
@@ -66,7 +66,7 @@ class Collector {
 
   void addMesh(const Mesh& mesh, std::uint32_t object) {
     for (const MeshTriangle& triangle : mesh.triangles) {
-      gpu::uint firstCornerNormal = gpu::kNoCornerNormals;
+      gpu::uint firstCornerNormal = gpu::kPrimitiveFlatTriangle;
       if (triangle.normals[0] != kNoNormal) {
         firstCornerNormal = static_cast<gpu::uint>(result_.cornerNormals.size());
         addCornerNormals(mesh, triangle);
@@ -101,12 +101,12 @@ using ShapeKey = std::array<std::uint32_t, 10>;
 
 ShapeKey keyOf(const gpu::Primitive& shape) {
   std::array<glm::vec3, 3> corners{shape.a, shape.b, shape.c};
-  if (shape.kind != gpu::kSphere) {
+  if (shape.kind != gpu::kPrimitiveSphere) {
     std::sort(corners.begin(), corners.end(), [](const glm::vec3& a, const glm::vec3& b) {
       return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
     });
   }
-  ShapeKey key{shape.kind == gpu::kSphere ? 1U : 0U};
+  ShapeKey key{shape.kind == gpu::kPrimitiveSphere ? 1U : 0U};
   for (int i = 0; i < 9; ++i) {
     key[1 + i] = std::bit_cast<std::uint32_t>(corners[i / 3][i % 3] + 0.0F);  // turns -0 into 0
   }
@@ -147,7 +147,7 @@ void putSpheresFirst(Primitives& primitives) {
   const std::vector<gpu::TrianglePlane> planes = std::exchange(primitives.planes, {});
   for (const bool spheres : {true, false}) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      if ((shapes[i].kind == gpu::kSphere) != spheres) continue;
+      if ((shapes[i].kind == gpu::kPrimitiveSphere) != spheres) continue;
       primitives.shapes.push_back(shapes[i]);
       if (!planes.empty()) primitives.planes.push_back(planes[i]);
     }
@@ -156,7 +156,7 @@ void putSpheresFirst(Primitives& primitives) {
 
 Box boundingBox(const gpu::Primitive& shape) {
   Box box;
-  if (shape.kind != gpu::kSphere) {
+  if (shape.kind != gpu::kPrimitiveSphere) {
     box.extend(shape.a);
     box.extend(shape.b);
     box.extend(shape.c);
@@ -175,7 +175,7 @@ std::size_t removeCoincident(Primitives& primitives) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < primitives.shapes.size(); ++i) {
     const gpu::Primitive& shape = primitives.shapes[i];
-    const int allowed = shape.kind == gpu::kSphere ? 2 : 1;
+    const int allowed = shape.kind == gpu::kPrimitiveSphere ? 2 : 1;
     if (seen[keyOf(shape)]++ >= allowed) continue;
     primitives.shapes[kept] = shape;
     if (!primitives.planes.empty()) primitives.planes[kept] = primitives.planes[i];

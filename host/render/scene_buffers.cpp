@@ -58,7 +58,9 @@ std::vector<std::uint32_t> specializationFor(const GpuScene& scene) {
   values[gpu::kSpecHasMirrors] = scene.hasMirrors ? 1 : 0;
   values[gpu::kSpecHasSphericalLights] = scene.hasSphericalLights ? 1 : 0;
   if (scene.hasFewPrimitives) {
-    const auto isSphere = [](const gpu::Primitive& primitive) { return primitive.kind == gpu::kSphere; };
+    const auto isSphere = [](const gpu::Primitive& primitive) {
+      return primitive.kind == gpu::kPrimitiveSphere;
+    };
     const auto spheres = std::ranges::count_if(scene.primitives, isSphere);
     values[gpu::kSpecFewSpheres] = static_cast<std::uint32_t>(spheres);
     values[gpu::kSpecFewTriangles] =

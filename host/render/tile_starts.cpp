@@ -120,7 +120,7 @@ std::uint64_t pixelsOfEmptyTiles(const TileStarts& starts, const ImageSize& size
 TileStarts tileStarts(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
   // Of a scene without a traversal no shader reads them.
   if (scene.nodes.empty() || scene.hasFewPrimitives)
-    return {0, 0, std::vector<gpu::uint>(gpu::kTileStartsPerTexel)};
+    return {0, 0, std::vector<gpu::uint>(gpu::kEntryNodesPerTexel)};
   const auto width = static_cast<std::uint64_t>(settings.crop.x1 - settings.crop.x0);
   const auto height = static_cast<std::uint64_t>(settings.crop.y1 - settings.crop.y0);
   std::uint32_t shift = kSmallestShift;
@@ -128,8 +128,8 @@ TileStarts tileStarts(const GpuScene& scene, const Camera& camera, const RenderS
   while (tiles(width) * tiles(height) > kMostTiles) ++shift;
   TileStarts result{shift, static_cast<std::uint32_t>(tiles(width)), {}};
   const std::uint64_t texels =
-      (tiles(width) * tiles(height) + gpu::kTileStartsPerTexel - 1) / gpu::kTileStartsPerTexel;
-  result.groups.resize(texels * gpu::kTileStartsPerTexel);
+      (tiles(width) * tiles(height) + gpu::kEntryNodesPerTexel - 1) / gpu::kEntryNodesPerTexel;
+  result.groups.resize(texels * gpu::kEntryNodesPerTexel);
   const auto levels = static_cast<std::uint32_t>(std::bit_width(std::max(tiles(width), tiles(height)) - 1));
   Planner(scene, camera, settings, result).plan(0, 0, levels, gpu::kRootGroup);
   return result;

@@ -46,7 +46,7 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
                                : settings.sampler == Sampler::kSobol ? gpu::kSamplingSobol
                                                                      : gpu::kSamplingRandom;
   values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
-  values[gpu::kSpecHasTileStarts] = settings.specialized && !scene.hasFewPrimitives ? 1 : 0;
+  values[gpu::kSpecHasEntryNodes] = settings.specialized && !scene.hasFewPrimitives ? 1 : 0;
   if (!settings.specialized) {
     for (const gpu::uint feature : {gpu::kSpecHasSpheres, gpu::kSpecHasTriangles, gpu::kSpecHasCornerNormals,
                                     gpu::kSpecHasMirrors, gpu::kSpecHasSphericalLights}) {
@@ -197,11 +197,11 @@ vulkan::ComputeShader Tracer::makeShader(bool resumable) {
   return {device_, shader_, specialization_, buffers_, sizeof constants_};
 }
 
-gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint pass) {
+gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode) {
   auto* status = reinterpret_cast<gpu::DispatchStatus*>(buffers_[gpu::kBindingStatus].bytes());
   *status = {};
   constants_.itemCount = count;
-  constants_.pass = pass;
+  constants_.mode = mode;
   shader.dispatch((count + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
                   std::as_bytes(std::span(&constants_, 1)));
   ++counts_.dispatches;
@@ -212,15 +212,15 @@ gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_
 }
 
 void Tracer::dispatchUntilFinished(std::uint32_t count) {
-  gpu::uint pass = gpu::kPassAll;
+  gpu::uint mode = gpu::kModeAll;
   if (direct_) {
-    if (dispatch(*direct_, count, pass).unfinished == 0) return;
-    pass = gpu::kPassUnfinished;
+    if (dispatch(*direct_, count, mode).unfinished == 0) return;
+    mode = gpu::kModeUnfinished;
   }
   if (!resumable_) resumable_.emplace(makeShader(true));
   std::uint32_t unfinishedBefore = count + 1;
   for (;;) {
-    const gpu::DispatchStatus status = dispatch(*resumable_, count, pass);
+    const gpu::DispatchStatus status = dispatch(*resumable_, count, mode);
     if (status.unfinished == 0) return;
     if (status.stuck == status.unfinished && status.unfinished == unfinishedBefore) {
       throw Error(ExitCode::kDevice,
@@ -229,7 +229,7 @@ void Tracer::dispatchUntilFinished(std::uint32_t count) {
                       "where fewer overlap can be rendered, or another --device may do more");
     }
     unfinishedBefore = status.unfinished;
-    pass = gpu::kPassResumed;
+    mode = gpu::kModeResumed;
   }
 }
 

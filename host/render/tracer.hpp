@@ -57,7 +57,7 @@ class Tracer {
   std::uint32_t makePiece(std::uint64_t first, std::uint32_t count, const MakeItems& makeItems);
   void takePiece(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults);
   void dispatchUntilFinished(std::uint32_t count);
-  gpu::DispatchStatus dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint pass);
+  gpu::DispatchStatus dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode);
   vulkan::ComputeShader makeShader(bool resumable);
 
   vulkan::Device& device_;

@@ -122,7 +122,7 @@ void checkPrimitives(const GpuScene& flat) {
   for (const gpu::Primitive& primitive : flat.primitives) {
     require(isFinite(primitive.a) && isFinite(primitive.b) && isFinite(primitive.c), "primitives are finite");
     require(primitive.object < flat.materials.size(), "a primitive has a material");
-    if (primitive.kind == gpu::kSphere || primitive.kind == gpu::kNoCornerNormals) continue;
+    if (primitive.kind == gpu::kPrimitiveSphere || primitive.kind == gpu::kPrimitiveFlatTriangle) continue;
     require(primitive.kind + 3 <= flat.cornerNormals.size(), "a triangle's corner normals exist");
   }
   require(flat.trianglePlanes.size() == (flat.hasTriangles ? flat.primitives.size() : 0),

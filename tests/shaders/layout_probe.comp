@@ -57,7 +57,7 @@ void main() {
   put(material.reflectance, end); put(material.padding2, end);
   put(constants.pixelSize, end); put(constants.halfImage, end); put(constants.focalLength, end);
   put(constants.cropX, end); put(constants.cropY, end); put(constants.cropWidth, end);
-  put(constants.itemCount, end); put(constants.pass, end); put(constants.seed, end);
+  put(constants.itemCount, end); put(constants.mode, end); put(constants.seed, end);
   put(constants.maxDepth, end); put(constants.filterSize, end);
   put(constants.firstPixel, end); put(constants.tileShift, end); put(constants.tilesAcross, end);
   const WorkItem item = items[1];

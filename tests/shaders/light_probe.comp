@@ -14,6 +14,6 @@ void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.count) return;
   const uint seed = hash(1u);
-  const LightSample s = sampleLight(constants.light, constants.position, pairAt(shuffledPlace(index, seed), seed));
+  const LightSample s = sampleLight(constants.light, constants.position, pairAt(shuffledIndex(index, seed), seed));
   samples[index] = ProbeLightSample(s.toLight, 0u, s.target, 0u);
 }

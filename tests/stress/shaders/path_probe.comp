@@ -17,8 +17,8 @@ void main() {
   const Ray ray = cameraRay(pixel + 0.5, 0.5 * vec2(constants.width, constants.height), constants.focalLength);
   PathState path = PathState(vec3(0.0), 0u, 0u, 0u);
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
-  const uint place = shuffledPlace(0u, hashCombine(index, kUseOfPixel));
-  const PathSettings settings = PathSettings(constants.maxDepth, 0u, index, place);
+  const uint shuffled = shuffledIndex(0u, hashCombine(index, kUseOfPixel));
+  const PathSettings settings = PathSettings(constants.maxDepth, 0u, index, shuffled);
   const bool finished = tracePath(ray, kRootGroup, settings, path, counts);
   colors[index] = PathColor(path.color, finished ? 1u : 0u);
 }
