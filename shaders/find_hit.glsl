@@ -4,10 +4,9 @@
 
 #include "traverse.glsl"
 
-// Finds the first surface that the ray hits before hit.t, or any one of them if `anyHit`; not the one named `skipped`.
-// `entry` is as for traverse.
-// A plane is an object of its own, so it is compared by object. Returns false if the device ended the loops before the
-// search was over.
+// Finds the first surface that the ray hits before hit.t, or any one of them if `anyHit`; not the one named
+// `skipped`. `entry` is as for traverse. A plane is an object of its own, so it is compared by object.
+// Returns false if the device ended the loops before the search was over.
 bool findHit(const bool anyHit, Ray given, uint skipped, uint entry, inout Hit hit, inout uint tests) {
   const Ray ray = withoutDenormals(given);
   if (kFewPrimitives) {

@@ -18,10 +18,12 @@ struct Hit {
   vec3 weights;  // of a triangle: barycentric coordinates
 };
 
-Hit missUpTo(float tMax) { return Hit(tMax, kNoSurface, 0u, 0u, vec3(0.0)); }
+Hit missUpTo(float tMax) {
+  return Hit(tMax, kNoSurface, 0u, 0u, vec3(0.0));
+}
 
-// Keeps the primitive if it is nearer than `hit` or, at the same distance, stands before it in the scene file: so the
-// picture does not depend on the order of the tests.
+// Keeps the primitive if it is nearer than `hit` or, at the same distance, stands before it in the scene
+// file: so the picture does not depend on the order of the tests.
 void keepNearer(float t, uint index, Primitive primitive, vec3 weights, inout Hit hit) {
   if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && primitive.order < hit.order)) {
     hit = Hit(t, index, primitive.object, primitive.order, weights);
@@ -40,9 +42,9 @@ void hitPrimitive(Ray ray, RayConstants constants, uint index, inout Hit hit) {
   keepNearer(t, index, primitive, weights, hit);
 }
 
-// Tests each primitive of a scene of few: spheres first, so that no test of the other kind is computed beside. Any hit
-// is as long a search as the nearest, since of a subgroup's rays one mostly has none. Returns false if the device ended
-// a loop.
+// Tests each primitive of a scene of few: spheres first, so that no test of the other kind is computed
+// beside. Any hit is as long a search as the nearest, since of a subgroup's rays one mostly has none. Returns
+// false if the device ended a loop.
 bool testEach(Ray ray, uint skipped, inout Hit hit, inout uint tests) {
   const RayConstants constants = rayConstants(ray);
   uint i = 0u;

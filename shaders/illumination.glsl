@@ -8,10 +8,10 @@
 #include "shade.glsl"
 #include "view.glsl"
 
-// Directions in which to look at spherical lights from a point: one, unless what the path shows may exceed 1 with
-// all lights unblocked. What mirrors may add is guessed: 1 for the next point, 1/2 for the ones before, which must
-// not be taken from the path's state since that is not the same when it is resumed. Returns 0 where the device ended
-// the loop.
+// Directions in which to look at spherical lights from a point: one, unless what the path shows may exceed 1
+// with all lights unblocked. What mirrors may add is guessed: 1 for the next point, 1/2 for the ones before,
+// which must not be taken from the path's state since that is not the same when it is resumed. Returns 0
+// where the device ended the loop.
 uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 weight, uint bounce) {
   vec3 color = material.ambient + (kHasMirrors ? material.reflectance : vec3(0.0));
   uint i = 0u;
@@ -25,8 +25,8 @@ uint lightDirections(SurfacePoint point, Material material, vec3 toViewer, vec3 
   return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
 }
 
-// Where direction i of so many goes to the light that is number `use` of the path's sequences. One direction for each
-// position in the pixel is stratified together with that, as a narrow shadow depends on both.
+// Where direction i of so many goes to the light that is number `use` of the path's sequences. One direction
+// for each position in the pixel is stratified together with that, as a narrow shadow depends on both.
 vec2 lightPoint(PathSettings settings, uint use, uint directions, uint i) {
   const uint seed = hashCombine(settings.seed, use);
   const uint companion = use - kUseOfFirstLight;
@@ -36,8 +36,8 @@ vec2 lightPoint(PathSettings settings, uint use, uint directions, uint i) {
   return pairAt(index, seed);
 }
 
-// The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns false
-// where the device ended the search for shadows.
+// The light's term: the mean over the directions of a spherical light; any value unless `showsAny`. Returns
+// false where the device ended the search for shadows.
 bool lightTerm(Light light, SurfacePoint point, uint surface, Material material, vec3 toViewer,
                PathSettings settings, uint use, uint lightDirections, bool showsAny, inout RayCounts counts,
                out vec3 term) {
@@ -87,7 +87,8 @@ bool addIllumination(Ray ray, uint surface, SurfacePoint point, Material materia
     // A sample that is white in all channels stays so: what is added is not negative.
     const bool showsAny = kView == kViewShadow || minComponent(state.color) < 1.0;
     const uint tests = counts.tests;
-    if (!lightTerm(light, point, surface, material, toViewer, settings, use, directions, showsAny, counts, term)) {
+    if (!lightTerm(light, point, surface, material, toViewer, settings, use, directions, showsAny, counts,
+                   term)) {
       return false;
     }
     state.color += weight * term;

@@ -12,9 +12,9 @@
 #include <glm/vec4.hpp>
 
 namespace lavaray::gpu {
-using glm::vec2;
 using glm::uvec3;
 using glm::uvec4;
+using glm::vec2;
 using glm::vec3;
 using uint = std::uint32_t;
 #define LAVARAY_SIZE(Struct, bytes) static_assert(sizeof(Struct) == (bytes) && (bytes) % 16 == 0)
@@ -25,13 +25,14 @@ using uint = std::uint32_t;
 // Invocations of one work group; each does a work item.
 const uint kWorkGroupSize = 64u;
 
-// A path from the root to a leaf passes at most this many inner nodes. The builder obeys it, and the traversal's
-// stack needs no more entries. Drivers unroll loops of that many turns, which the stack depends on.
+// A path from the root to a leaf passes at most this many inner nodes. The builder obeys it, and the
+// traversal's stack needs no more entries. Drivers unroll loops of that many turns, which the stack depends
+// on.
 const uint kMaxBvhDepth = 32u;
 const uint kMaxLeafSize = 8u;
 
-// A scene of at most so many primitives is one leaf, spheres first, and its rays test each of them: beyond that a
-// traversal is faster (tools/bench_speed/traversal.md).
+// A scene of at most so many primitives is one leaf, spheres first, and its rays test each of them: beyond
+// that a traversal is faster (tools/bench_speed/traversal.md).
 const uint kMaxFewPrimitives = 8u;
 
 // A node reference: an inner node's index, or the leaf's primitives as count << kLeafShift | first.
@@ -50,16 +51,16 @@ const uint kMaxShadowRaysPerDispatch = 256u;
 // loses nothing that an image shows; the host adds the sums of work items without rounding.
 const uint kMaxSamplesPerItem = 4u;
 
-// Directions in which a sample looks at a spherical light where its colour may exceed 1. The light's term is a
-// mean over directions that is clamped afterwards: below 1 that is the mean over samples of one direction each,
-// above it a sample needs a mean of its own.
+// Directions in which a sample looks at a spherical light where its colour may exceed 1. The light's term is
+// a mean over directions that is clamped afterwards: below 1 that is the mean over samples of one direction
+// each, above it a sample needs a mean of its own.
 const uint kClampedLightDirections = 16u;
 
 // A mirror ray is dropped when every channel of its weight is below.
 const float kMinReflectance = 1e-4f;
 
-// Bindings of descriptor set 0. Those below kTexelBindings are read through texel buffer views, four 32-bit words a
-// texel (see scene_data.glsl); the others are storage buffers.
+// Bindings of descriptor set 0. Those below kTexelBindings are read through texel buffer views, four 32-bit
+// words a texel (see scene_data.glsl); the others are storage buffers.
 const uint kTexelBindings = 8u;
 const uint kSceneBindings = 7u;  // the first ones, the same for all shaders
 const uint kBindingNodes = 0u;
@@ -119,11 +120,11 @@ const uint kViewShadow = 4u;  // share of the lights that are not blocked
 const uint kViewCost = 5u;    // nodes and primitives that the rays are tested against
 // Where kSpecAsData is set, kViewNormal is n, and kViewObject the object's number, counted from 1.
 
-// An inner node of the BVH with the boxes of up to four children. On each axis the bound b of a box lies at origin +
-// b 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in it. A child that
-// is not there has lower bounds above its upper ones.
-// Based on: Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
-// 2017, four wide and with children that lie anywhere.
+// An inner node of the BVH with the boxes of up to four children. On each axis the bound b of a box lies at
+// origin + b 2^(exponent - 127), a number that float32 holds exactly, and no box is smaller than what is in
+// it. A child that is not there has lower bounds above its upper ones. Based on: Ylitie, Karras and Laine,
+// "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017, four wide and with
+// children that lie anywhere.
 struct BvhNode {
   vec3 origin;
   uint exponents;  // a byte an axis, that of x the lowest
@@ -137,8 +138,8 @@ LAVARAY_SIZE(BvhNode, 64);
 const uint kTexelsPerNode = 4u;
 const uint kNodeWidth = 4u;
 
-// Children of a node that are still to be visited, packed: node << 8 | slots << 2 | count, of slots of two bits each the
-// first one lowest; 0 is none.
+// Children of a node that are still to be visited, packed: node << 8 | slots << 2 | count, of slots of two
+// bits each the first one lowest; 0 is none.
 const uint kGroupNodeShift = 8u;
 const uint kGroupSlotsShift = 2u;
 const uint kRootGroup = 1u;  // the only child of the node above the root
@@ -222,16 +223,17 @@ struct WorkItem {
 };
 LAVARAY_SIZE(WorkItem, 16);
 
-// The sum of a work item's colours, each clamped to [0, 1], and of their squares in the mean over the channels.
+// The sum of a work item's colours, each clamped to [0, 1], and of their squares in the mean over the
+// channels.
 struct WorkResult {
   vec3 sum;
   float squares;  // kSquaresUnfinished: the item needs another dispatch
 };
 LAVARAY_SIZE(WorkResult, 16);
 
-// How far an unfinished work item has come: its finished samples with their sums, and of the one under way the
-// path's colour so far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light i), and its
-// tests so far (see tests.glsl).
+// How far an unfinished work item has come: its finished samples with their sums, and of the one under way
+// the path's colour so far, its next bounce and there the next step (0 is the ambient colour, i + 1 is light
+// i), and its tests so far (see tests.glsl).
 struct WorkState {
   vec3 sum;
   uint taken;  // samples
@@ -260,20 +262,20 @@ LAVARAY_SIZE(DispatchStatus, 32);
 
 // Push constants.
 struct DispatchConstants {
-  vec2 pixelSize;      // of an output pixel on the camera's image plane
-  vec2 halfImage;      // half of the image plane's extent
-  float focalLength;   // its distance
-  uint cropX;          // left and top of the crop, in pixels
+  vec2 pixelSize;     // of an output pixel on the camera's image plane
+  vec2 halfImage;     // half of the image plane's extent
+  float focalLength;  // its distance
+  uint cropX;         // left and top of the crop, in pixels
   uint cropY;
   uint cropWidth;
   uint itemCount;
-  uint mode;           // kModeAll, ...
+  uint mode;  // kModeAll, ...
   uint seed;
-  uint maxDepth;       // mirror bounces
-  uint filterSize;     // entries of the filter's table; 0 is the box
-  uint firstPixel;     // of the items, where they are consecutive pixels (kSamplingCenter)
-  // Camera rays through a square of 2^tileShift pixels of the crop start at its entry node, where the pipeline has
-  // entry nodes: tiles are counted row by row, tilesAcross in one.
+  uint maxDepth;    // mirror bounces
+  uint filterSize;  // entries of the filter's table; 0 is the box
+  uint firstPixel;  // of the items, where they are consecutive pixels (kSamplingCenter)
+  // Camera rays through a square of 2^tileShift pixels of the crop start at its entry node, where the
+  // pipeline has entry nodes: tiles are counted row by row, tilesAcross in one.
   uint tileShift;
   uint tilesAcross;
 };

@@ -1,10 +1,9 @@
 // Where a ray meets a box, a triangle, a sphere or a plane.
 //
-// The sign of a difference of products decides hit or miss here. Rounding alone never turns such a sign, it can only
-// make it zero, and zero counts as inside; contracting or reordering does turn it, and is forbidden to compilers in all
-// of the shaders' arithmetic (host/shader_compiler/exact_spirv.hpp).
-// A ray is o + t d, where d may have any length; a hit has 0 < t < infinity. The tests are written so that a
-// NaN fails them.
+// The sign of a difference of products decides hit or miss here. Rounding alone never turns such a sign, it
+// can only make it zero, and zero counts as inside; contracting or reordering does turn it, and is forbidden
+// to compilers in all of the shaders' arithmetic (host/shader_compiler/exact_spirv.hpp). A ray is o + t d,
+// where d may have any length; a hit has 0 < t < infinity. The tests are written so that a NaN fails them.
 #ifndef INTERSECT_GLSL
 #define INTERSECT_GLSL
 
@@ -25,12 +24,19 @@ struct RayConstants {
 };
 
 // Moves the components round until `axis` is z.
-vec3 permute(vec3 v, uint axis) { return axis == 2u ? v : (axis == 1u ? v.zxy : v.yzx); }
+vec3 permute(vec3 v, uint axis) {
+  return axis == 2u ? v : (axis == 1u ? v.zxy : v.yzx);
+}
 
-// A device may take a denormal number for zero; here each does. In a direction its inverse is infinite, and so it
-// bounds the ray at sides that zero leaves open; in an origin it keeps such a ray out of a box that it touches.
-vec3 withoutDenormals(vec3 v) { return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kMinNormal))); }
-Ray withoutDenormals(Ray ray) { return Ray(withoutDenormals(ray.origin), withoutDenormals(ray.direction)); }
+// A device may take a denormal number for zero; here each does. In a direction its inverse is infinite, and
+// so it bounds the ray at sides that zero leaves open; in an origin it keeps such a ray out of a box that it
+// touches.
+vec3 withoutDenormals(vec3 v) {
+  return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kMinNormal)));
+}
+Ray withoutDenormals(Ray ray) {
+  return Ray(withoutDenormals(ray.origin), withoutDenormals(ray.direction));
+}
 
 // The ray has no denormal numbers.
 RayConstants rayConstants(Ray ray) {
@@ -48,7 +54,8 @@ RayConstants rayConstants(Ray ray) {
 }
 
 // Distances at which the ray enters four boxes, or infinity where it misses one or enters it behind tMax.
-// `near` and `far` are the boxes' sides that it meets first and last on each axis, by the sign of its direction.
+// `near` and `far` are the boxes' sides that it meets first and last on each axis, by the sign of its
+// direction.
 //
 // Choosing the near and the far side by the sign of the direction, instead of by minimum and maximum, makes
 // 0 * infinity (a ray inside a side's plane) a NaN that no comparison takes up: the axis sets no bound.
@@ -72,8 +79,8 @@ vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], 
 // The triangle is sheared into coordinates in which the ray is the z axis, and the signed areas that the axis
 // makes with each edge are compared. Two triangles that share an edge compute the same products for it, so no
 // ray passes between them. Based on: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013,
-// without its double-precision fallback, which only takes back hits on edges, and with the shear multiplied by
-// the ray's z instead of divided: then the vertices of a scene in round numbers are sheared exactly, and a
+// without its double-precision fallback, which only takes back hits on edges, and with the shear multiplied
+// by the ray's z instead of divided: then the vertices of a scene in round numbers are sheared exactly, and a
 // pixel's centre on an edge hits it.
 float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c, out vec3 weights) {
   const vec3 localA = permute(a - ray.origin, constants.axis);
@@ -83,8 +90,8 @@ float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c,
   const vec2 shearedB = localB.xy * constants.shear.z - constants.shear.xy * localB.z;
   const vec2 shearedC = localC.xy * constants.shear.z - constants.shear.xy * localC.z;
   const vec3 areas = vec3(shearedC.x * shearedB.y - shearedC.y * shearedB.x,
-                                  shearedA.x * shearedC.y - shearedA.y * shearedC.x,
-                                  shearedB.x * shearedA.y - shearedB.y * shearedA.x);
+                          shearedA.x * shearedC.y - shearedA.y * shearedC.x,
+                          shearedB.x * shearedA.y - shearedB.y * shearedA.x);
   weights = vec3(0.0);
   if (any(lessThan(areas, vec3(0.0))) && any(greaterThan(areas, vec3(0.0)))) return kInfinity;
   const float sum = areas.x + areas.y + areas.z;

@@ -21,9 +21,9 @@ void orthonormalBasis(vec3 z, out vec3 x, out vec3 y) {
 }
 
 // A direction uniformly distributed in the cone that the light's sphere subtends at the position; in all
-// directions where that is inside. 1 - cos is computed without a difference of nearly equal numbers, so that the
-// smallest cone keeps its width. Based on: Shirley, Wang and Zimmermann, "Monte Carlo Techniques for Direct
-// Lighting Calculations", 1996.
+// directions where that is inside. 1 - cos is computed without a difference of nearly equal numbers, so that
+// the smallest cone keeps its width. Based on: Shirley, Wang and Zimmermann, "Monte Carlo Techniques for
+// Direct Lighting Calculations", 1996.
 LightSample sampleSphericalLight(Light light, vec3 position, vec2 u) {
   const vec3 axis = light.position - position;
   const float distance = preciseLength(axis);

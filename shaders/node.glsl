@@ -32,8 +32,8 @@ struct NodeGroup {
   uint count;
 };
 
-// The children that are entered at these distances. A distance is at least 0, so its bits compare as it does; its
-// lowest two make room for the slot.
+// The children that are entered at these distances. A distance is at least 0, so its bits compare as it does;
+// its lowest two make room for the slot.
 NodeGroup sortedGroup(uint node, vec4 entry) {
   const bvec4 hits = lessThan(entry, vec4(kInfinity));
   uvec4 keys = (floatBitsToUint(entry) & ~3u) | uvec4(0u, 1u, 2u, 3u);
@@ -45,14 +45,18 @@ NodeGroup sortedGroup(uint node, vec4 entry) {
 }
 
 // Groups that wait, packed, the last one in entry 0.
-// Entries are moved along instead of being counted, since constant indices keep them in registers: on lavapipe a
-// write to a computed index is a branch for each lane, and took two thirds of the time.
+// Entries are moved along instead of being counted, since constant indices keep them in registers: on
+// lavapipe a write to a computed index is a branch for each lane, and took two thirds of the time.
 struct GroupStack {
   uint entries[kStackSize];
 };
 
-uint packGroup(NodeGroup group) { return group.node << kGroupNodeShift | group.slots << kGroupSlotsShift | group.count; }
-NodeGroup unpackGroup(uint entry) { return NodeGroup(entry >> kGroupNodeShift, (entry >> kGroupSlotsShift) & 63u, entry & 3u); }
+uint packGroup(NodeGroup group) {
+  return group.node << kGroupNodeShift | group.slots << kGroupSlotsShift | group.count;
+}
+NodeGroup unpackGroup(uint entry) {
+  return NodeGroup(entry >> kGroupNodeShift, (entry >> kGroupSlotsShift) & 63u, entry & 3u);
+}
 
 // Takes the last group away if `pop`, then adds one if `push`.
 void updateStack(inout GroupStack stack, bool pop, bool push, NodeGroup added) {

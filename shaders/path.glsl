@@ -13,8 +13,8 @@ struct Segment {
   vec3 weight;   // product of the mirrors' reflectances so far
 };
 
-// Finds what the segment hits, adds what that shows and replaces the segment by the mirrored one, or sets `ended`.
-// Returns false where it could not be finished; state says what is missing.
+// Finds what the segment hits, adds what that shows and replaces the segment by the mirrored one, or sets
+// `ended`. Returns false where it could not be finished; state says what is missing.
 bool followSegment(inout Segment segment, uint bounce, PathSettings settings, inout PathState state,
                    inout RayCounts counts, out bool ended) {
   ended = true;
@@ -32,7 +32,8 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   }
   const Material material = fetchMaterial(hit.object);
   if (!kResumable || bounce == state.bounce) {
-    if (!addIllumination(segment.ray, hit.surface, point, material, segment.weight, settings, state, counts)) {
+    if (!addIllumination(segment.ray, hit.surface, point, material, segment.weight, settings, state,
+                         counts)) {
       return false;
     }
     state.bounce = bounce + 1u;
@@ -52,9 +53,9 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   return true;
 }
 
-// Returns false where the path could not be finished; state says what is missing. Without mirrors a path is one
-// segment: the loop's condition is then the constant false, and compilers unwrap it, which they do not do with a
-// for loop that turns once.
+// Returns false where the path could not be finished; state says what is missing. Without mirrors a path is
+// one segment: the loop's condition is then the constant false, and compilers unwrap it, which they do not do
+// with a for loop that turns once.
 bool tracePath(Ray ray, uint entry, PathSettings settings, inout PathState state, inout RayCounts counts) {
   Segment segment = Segment(ray, kNoSurface, entry, vec3(1.0));
   bool finished = false;

@@ -16,7 +16,9 @@ uint hash(uint x) {
   return x ^ (x >> 16);
 }
 
-uint hashCombine(uint seed, uint value) { return hash(seed ^ hash(value + 0x9E3779B9u)); }
+uint hashCombine(uint seed, uint value) {
+  return hash(seed ^ hash(value + 0x9E3779B9u));
+}
 
 // Owen's nested uniform scrambling of x whose bits are reversed: a bit is flipped as the ones that were above
 // it say. Based on: Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011, with the
@@ -30,10 +32,12 @@ uint scrambleReversed(uint x, uint seed) {
   return x;
 }
 
-uint scramble(uint x, uint seed) { return bitfieldReverse(scrambleReversed(bitfieldReverse(x), seed)); }
+uint scramble(uint x, uint seed) {
+  return bitfieldReverse(scrambleReversed(bitfieldReverse(x), seed));
+}
 
-// The second Sobol dimension of an index. Its generator matrix is Pascal's triangle modulo 2, whose entry (i, j)
-// is 1 where the bits of i are among those of j: so the product is five steps, one for each bit of the bit
+// The second Sobol dimension of an index. Its generator matrix is Pascal's triangle modulo 2, whose entry (i,
+// j) is 1 where the bits of i are among those of j: so the product is five steps, one for each bit of the bit
 // numbers.
 uint sobolSecond(uint index) {
   index ^= (index & 0xAAAAAAAAu) >> 1;
@@ -45,15 +49,19 @@ uint sobolSecond(uint index) {
 }
 
 // The upper 24 bits as a number in [0, 1).
-float unitInterval(uint x) { return float(x >> 8) * 5.9604645e-8; }
+float unitInterval(uint x) {
+  return float(x >> 8) * 5.9604645e-8;
+}
 
-// The index of sample `index` in a sequence whose indices are shuffled so that every power of two from 0 on stays a
-// permutation of itself. With a shuffle of its own and values of its own, by its seed, a sequence is independent of
-// others.
-uint shuffledIndex(uint index, uint seed) { return kSampling == kSamplingRandom ? index : scramble(index, seed); }
+// The index of sample `index` in a sequence whose indices are shuffled so that every power of two from 0 on
+// stays a permutation of itself. With a shuffle of its own and values of its own, by its seed, a sequence is
+// independent of others.
+uint shuffledIndex(uint index, uint seed) {
+  return kSampling == kSamplingRandom ? index : scramble(index, seed);
+}
 
-// The point at an index of a two-dimensional sequence in [0, 1)^2: every power of two points from 0 on is a (0, 2)-net.
-// Based on: Burley, "Practical Hash-based Owen Scrambling", 2020.
+// The point at an index of a two-dimensional sequence in [0, 1)^2: every power of two points from 0 on is a
+// (0, 2)-net. Based on: Burley, "Practical Hash-based Owen Scrambling", 2020.
 vec2 pairAt(uint index, uint seed) {
   if (kSampling == kSamplingRandom) {
     const uint random = hashCombine(seed, index);
@@ -64,14 +72,15 @@ vec2 pairAt(uint index, uint seed) {
   return vec2(unitInterval(x), unitInterval(y));
 }
 
-// A sequence has this many companions: each a (0, 2)-sequence with a seed of its own, and with the first one a
-// sequence in four dimensions that is stratified as such, which two independent ones are not. A companion's index is
-// the index, taken as a polynomial over the field of two elements with its highest bit first, times a factor with
-// six terms, as far as it does not go below the lowest bit. Here is, for each term but the first, which is 1, the bits
-// that it goes down, a hexadecimal digit a companion, that of number 0 the lowest. Any factors serve; these were
-// searched for as those that leave least of the variance of penumbrae 0.7 to 33 pixels wide, at 4 to 65,536 samples,
-// by the gain coefficients of scrambled nets (Pan and Owen, "The Nonzero Gain Coefficients of Sobol's Sequences Are
-// Always Powers of Two", 2023): narrow ones as little as four Sobol dimensions do, wide ones as little as two.
+// A sequence has this many companions: each a (0, 2)-sequence with a seed of its own, and with the first one
+// a sequence in four dimensions that is stratified as such, which two independent ones are not. A companion's
+// index is the index, taken as a polynomial over the field of two elements with its highest bit first, times
+// a factor with six terms, as far as it does not go below the lowest bit. Here is, for each term but the
+// first, which is 1, the bits that it goes down, a hexadecimal digit a companion, that of number 0 the
+// lowest. Any factors serve; these were searched for as those that leave least of the variance of penumbrae
+// 0.7 to 33 pixels wide, at 4 to 65,536 samples, by the gain coefficients of scrambled nets (Pan and Owen,
+// "The Nonzero Gain Coefficients of Sobol's Sequences Are Always Powers of Two", 2023): narrow ones as little
+// as four Sobol dimensions do, wide ones as little as two.
 const uint kCompanions = 16u;
 const uint kCompanionTerms = 5u;
 const uvec2 kCompanionShifts[kCompanionTerms] =

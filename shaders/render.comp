@@ -1,9 +1,9 @@
 // Takes the samples of one work item an invocation.
 //
-// An item may not be finished in one dispatch: it has more shadow rays than one allows, or the device ends the
-// loops. In a resumable pipeline it leaves its state behind and goes on from there in the next dispatch; the sum
-// is the same whatever the dispatches. Most scenes never need that and run a pipeline without it, which gives
-// such an item up for a resumable one to do.
+// An item may not be finished in one dispatch: it has more shadow rays than one allows, or the device ends
+// the loops. In a resumable pipeline it leaves its state behind and goes on from there in the next dispatch;
+// the sum is the same whatever the dispatches. Most scenes never need that and run a pipeline without it,
+// which gives such an item up for a resumable one to do.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -14,11 +14,21 @@ layout(local_size_x = kWorkGroupSize) in;
 
 layout(constant_id = kSpecCountRays) const bool kCountRays = false;
 
-layout(std430, set = 0, binding = kBindingWork) readonly buffer Work { WorkItem work[]; };
-layout(std430, set = 0, binding = kBindingResults) buffer Results { WorkResult results[]; };
-layout(std430, set = 0, binding = kBindingStates) buffer States { WorkState states[]; };
-layout(std430, set = 0, binding = kBindingStatus) buffer Status { DispatchStatus status; };
-layout(push_constant) uniform PushConstants { DispatchConstants constants; };
+layout(std430, set = 0, binding = kBindingWork) readonly buffer Work {
+  WorkItem work[];
+};
+layout(std430, set = 0, binding = kBindingResults) buffer Results {
+  WorkResult results[];
+};
+layout(std430, set = 0, binding = kBindingStates) buffer States {
+  WorkState states[];
+};
+layout(std430, set = 0, binding = kBindingStatus) buffer Status {
+  DispatchStatus status;
+};
+layout(push_constant) uniform PushConstants {
+  DispatchConstants constants;
+};
 
 // `index` and `seed` are those of the sequence of positions.
 Ray sampleRay(uvec2 pixel, uint index, uint seed) {
@@ -31,10 +41,14 @@ Ray sampleRay(uvec2 pixel, uint index, uint seed) {
   return cameraRay(position, constants.halfImage, constants.focalLength);
 }
 
-// Clamped to [0, 1]; written so that a NaN becomes 0. So does what is so small that the denormal numbers, which some
-// devices take for zero, have changed it.
-float displayed(float c) { return c >= kMinExact ? min(c, 1.0) : 0.0; }
-vec3 displayed(vec3 color) { return vec3(displayed(color.r), displayed(color.g), displayed(color.b)); }
+// Clamped to [0, 1]; written so that a NaN becomes 0. So does what is so small that the denormal numbers,
+// which some devices take for zero, have changed it.
+float displayed(float c) {
+  return c >= kMinExact ? min(c, 1.0) : 0.0;
+}
+vec3 displayed(vec3 color) {
+  return vec3(displayed(color.r), displayed(color.g), displayed(color.b));
+}
 
 // The packed group that the pixel's camera rays start with.
 uint entryGroup(uvec2 pixelInCrop) {
@@ -44,11 +58,14 @@ uint entryGroup(uvec2 pixelInCrop) {
 }
 
 // Takes the sample that the state is at. Returns false where it could not be finished.
-bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState state, inout RayCounts counts) {
+bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState state,
+                inout RayCounts counts) {
   PathState path = PathState(state.color, state.bounce, state.step, state.tests);
   const uint pixelSeed = hashCombine(seed, kUseOfPixel);
-  const PathSettings settings = PathSettings(constants.maxDepth, index, seed, shuffledIndex(index, pixelSeed));
-  const bool finished = tracePath(sampleRay(pixel, settings.shuffledIndex, pixelSeed), entry, settings, path, counts);
+  const PathSettings settings =
+      PathSettings(constants.maxDepth, index, seed, shuffledIndex(index, pixelSeed));
+  const bool finished =
+      tracePath(sampleRay(pixel, settings.shuffledIndex, pixelSeed), entry, settings, path, counts);
   if (finished) {
     vec3 color = path.color;
     if (kView == kViewCost) color = vec3(path.tests);
@@ -65,8 +82,8 @@ bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState 
   return finished;
 }
 
-// Takes samples from state.taken on. Returns false where it could not take them all. The loop is written as that
-// of tracePath, for the same reason.
+// Takes samples from state.taken on. Returns false where it could not take them all. The loop is written as
+// that of tracePath, for the same reason.
 bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
   const uvec2 inCrop = uvec2(item.pixel % constants.cropWidth, item.pixel / constants.cropWidth);
   const uvec2 pixel = inCrop + uvec2(constants.cropX, constants.cropY);
@@ -97,8 +114,8 @@ void main() {
   if (index >= constants.itemCount) return;
   WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0.0, 0u, 0u);
   if (kResumable) {
-    // Both are read whether the mode needs them or not: what Mesa 26.1's llvmpipe makes of a buffer that it first
-    // reads under a condition ends in a fault.
+    // Both are read whether the mode needs them or not: what Mesa 26.1's llvmpipe makes of a buffer that it
+    // first reads under a condition ends in a fault.
     const float squares = results[index].squares;
     const WorkState left = states[index];
     if (constants.mode != kModeAll && squares >= 0.0) return;

@@ -1,9 +1,10 @@
 // The scene's arrays, and the functions that read them.
 //
-// All are read through texel buffer views, where these reach: on lavapipe a texel fetch is a few wide loads where a
-// storage buffer load is a branch for every component of every lane. A device need have no more than 65,536 texels in a
-// view, so there is a pipeline that reads the same words from storage buffers (see scene_buffers.hpp). The texels are
-// integers, so that no driver takes an index for a denormal float and flushes it.
+// All are read through texel buffer views, where these reach: on lavapipe a texel fetch is a few wide loads
+// where a storage buffer load is a branch for every component of every lane. A device need have no more than
+// 65,536 texels in a view, so there is a pipeline that reads the same words from storage buffers (see
+// scene_buffers.hpp). The texels are integers, so that no driver takes an index for a denormal float and
+// flushes it.
 #ifndef SCENE_DATA_GLSL
 #define SCENE_DATA_GLSL
 
@@ -40,14 +41,30 @@ layout(set = 0, binding = kBindingMaterials) uniform utextureBuffer materialTexe
 layout(set = 0, binding = kBindingEntryNodes) uniform utextureBuffer entryNodeTexels;
 #define TEXEL(texels, index) texelFetch(texels, int(index))
 #else
-layout(std430, set = 0, binding = kBindingNodes) readonly buffer Nodes { uvec4 nodeTexels[]; };
-layout(std430, set = 0, binding = kBindingPrimitives) readonly buffer Primitives { uvec4 primitiveTexels[]; };
-layout(std430, set = 0, binding = kBindingTrianglePlanes) readonly buffer TrianglePlanes { uvec4 trianglePlaneTexels[]; };
-layout(std430, set = 0, binding = kBindingCornerNormals) readonly buffer CornerNormals { uvec4 cornerNormalTexels[]; };
-layout(std430, set = 0, binding = kBindingPlanes) readonly buffer Planes { uvec4 planeTexels[]; };
-layout(std430, set = 0, binding = kBindingLights) readonly buffer Lights { uvec4 lightTexels[]; };
-layout(std430, set = 0, binding = kBindingMaterials) readonly buffer Materials { uvec4 materialTexels[]; };
-layout(std430, set = 0, binding = kBindingEntryNodes) readonly buffer EntryNodes { uvec4 entryNodeTexels[]; };
+layout(std430, set = 0, binding = kBindingNodes) readonly buffer Nodes {
+  uvec4 nodeTexels[];
+};
+layout(std430, set = 0, binding = kBindingPrimitives) readonly buffer Primitives {
+  uvec4 primitiveTexels[];
+};
+layout(std430, set = 0, binding = kBindingTrianglePlanes) readonly buffer TrianglePlanes {
+  uvec4 trianglePlaneTexels[];
+};
+layout(std430, set = 0, binding = kBindingCornerNormals) readonly buffer CornerNormals {
+  uvec4 cornerNormalTexels[];
+};
+layout(std430, set = 0, binding = kBindingPlanes) readonly buffer Planes {
+  uvec4 planeTexels[];
+};
+layout(std430, set = 0, binding = kBindingLights) readonly buffer Lights {
+  uvec4 lightTexels[];
+};
+layout(std430, set = 0, binding = kBindingMaterials) readonly buffer Materials {
+  uvec4 materialTexels[];
+};
+layout(std430, set = 0, binding = kBindingEntryNodes) readonly buffer EntryNodes {
+  uvec4 entryNodeTexels[];
+};
 #define TEXEL(texels, index) texels[index]
 #endif
 
@@ -55,7 +72,9 @@ uvec4 fetchNodeTexel(uint index, uint texel) {
   return TEXEL(nodeTexels, index * kTexelsPerNode + texel);
 }
 
-uvec4 fetchChildren(uint index) { return fetchNodeTexel(index, 3u); }
+uvec4 fetchChildren(uint index) {
+  return fetchNodeTexel(index, 3u);
+}
 
 BvhNode fetchNode(uint index) {
   const uvec4 t0 = fetchNodeTexel(index, 0u);
@@ -69,7 +88,8 @@ Primitive fetchPrimitive(uint index) {
   const uvec4 t0 = TEXEL(primitiveTexels, texel);
   const uvec4 t1 = TEXEL(primitiveTexels, texel + 1u);
   const uvec4 t2 = TEXEL(primitiveTexels, texel + 2u);
-  return Primitive(uintBitsToFloat(t0.xyz), t0.w, uintBitsToFloat(t1.xyz), t1.w, uintBitsToFloat(t2.xyz), t2.w);
+  return Primitive(uintBitsToFloat(t0.xyz), t0.w, uintBitsToFloat(t1.xyz), t1.w, uintBitsToFloat(t2.xyz),
+                   t2.w);
 }
 
 TrianglePlane fetchTrianglePlane(uint index) {

@@ -5,18 +5,21 @@
 
 #include "surface.glsl"
 
-// 1 - the cosine of the angle between two unit vectors, from their difference: what a high power brings to light is
-// lost in the dot product.
+// 1 - the cosine of the angle between two unit vectors, from their difference: what a high power brings to
+// light is lost in the dot product.
 float oneMinusCosine(vec3 a, vec3 b) {
   const vec3 difference = a - b;
   return 0.5 * preciseDot(difference, difference);
 }
 
 // A power so small that it may be a denormal number, which the brightest light must not bring back, is none.
-float withoutTraces(float power) { return power >= kMinExact ? power : 0.0; }
+float withoutTraces(float power) {
+  return power >= kMinExact ? power : 0.0;
+}
 
-// cosine^shininess, with 0^0 = 1; a negative cosine counts as 0. The built-in pow is undefined for 0^0, and close to 1
-// its logarithm has too few digits for a high power: there it is the series 2 artanh(x) = ln((1 + x) / (1 - x)).
+// cosine^shininess, with 0^0 = 1; a negative cosine counts as 0. The built-in pow is undefined for 0^0, and
+// close to 1 its logarithm has too few digits for a high power: there it is the series 2 artanh(x) = ln((1 +
+// x) / (1 - x)).
 float specularPower(float oneMinusCosine, float shininess) {
   if (shininess == 0.0) return 1.0;
   if (!(oneMinusCosine < 1.0)) return 0.0;
@@ -41,8 +44,8 @@ vec3 phong(Material material, Light light, vec3 normal, vec3 toLight, vec3 toVie
   return color;
 }
 
-// Largest t of a shadow ray that counts as before the light. A surface through the light does not block it, and
-// its t, 1 in exact arithmetic, is off by the rounding of the numbers it is computed from, at either end.
+// Largest t of a shadow ray that counts as before the light. A surface through the light does not block it,
+// and its t, 1 in exact arithmetic, is off by the rounding of the numbers it is computed from, at either end.
 float shadowRayEnd(vec3 origin, vec3 light, vec3 direction) {
   const float magnitude = maxComponent(abs(origin)) + maxComponent(abs(light));
   return 1.0 - 2.0 * kPositionUlps * kHalfUlp * magnitude / maxComponent(abs(direction));

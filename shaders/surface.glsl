@@ -11,22 +11,21 @@ struct SurfacePoint {
   vec3 shadingNormal;    // unit length, on the side that the surface is seen from
 };
 
-// Half a unit in the last place of 1, and how many of them a position may be off by, in proportion to the numbers
-// that it is computed from: the ones of the projection below (4; of a sphere's normal and radius 5), of the host's
-// rounding of coordinates and normals (2) and of adding the offset (1).
+// Half a unit in the last place of 1, and how many of them a position may be off by, in proportion to the
+// numbers that it is computed from: the ones of the projection below (4; of a sphere's normal and radius 5),
+// of the host's rounding of coordinates and normals (2) and of adding the offset (1).
 const float kHalfUlp = 5.9604645e-8;
 const float kPositionUlps = 8.0;
 
-// The same in proportion to the extent of a triangle. A mesh's faces that adjoin at a point are tested relative to
-// the point, where a vertex far away loses the digits of the point's own coordinates.
+// The same in proportion to the extent of a triangle. A mesh's faces that adjoin at a point are tested
+// relative to the point, where a vertex far away loses the digits of the point's own coordinates.
 const float kExtentUlps = 4.0;
 
 // Moves a point near a plane onto it; what is left is the rounding of the distance, not that of t.
 SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction) {
   const float offPlane = preciseDot(normal, near) - distance;
   const vec3 position = near - offPlane * normal;
-  const float error =
-      kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(position)) + abs(distance));
+  const float error = kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(position)) + abs(distance));
   const vec3 facing = preciseDot(normal, direction) > 0.0 ? -normal : normal;
   return SurfacePoint(position, error, facing, facing);
 }
@@ -38,8 +37,8 @@ SurfacePoint pointOnSphere(vec3 near, vec3 center, float radius) {
   return SurfacePoint(position, error, normal, normal);
 }
 
-// The interpolated normal, turned so that the face, taken on the side that this normal is on, is seen from the
-// front: then neither the winding nor a silhouette flips it. Zero where the corner normals cancel.
+// The interpolated normal, turned so that the face, taken on the side that this normal is on, is seen from
+// the front: then neither the winding nor a silhouette flips it. Zero where the corner normals cancel.
 vec3 interpolatedNormal(uint firstCornerNormal, vec3 weights, vec3 facing) {
   const vec3 normal = unit(weights.x * fetchCornerNormal(firstCornerNormal).normal +
                            weights.y * fetchCornerNormal(firstCornerNormal + 1u).normal +

@@ -8,14 +8,15 @@
 const uint kNoReference = 0xFFFFFFFFu;  // of a node or a leaf
 
 // Finds the first primitive that the ray hits before hit.t, or any one of them if `anyHit`; not the one named
-// `skipped`. Searches the packed group `entry`, which is kRootGroup, or holds all that the ray can hit. Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
+// `skipped`. Searches the packed group `entry`, which is kRootGroup, or holds all that the ray can hit.
+// Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
 //
-// One turn of the inner loop takes the nearest child that waits and, if it is an inner node, finds which of its
-// children the ray enters; the loop ends at a leaf, or where nothing waits. A lane that has its leaf waits for
-// those of its subgroup that have not: so the tests of the leaves are done together.
+// One turn of the inner loop takes the nearest child that waits and, if it is an inner node, finds which of
+// its children the ray enters; the loop ends at a leaf, or where nothing waits. A lane that has its leaf
+// waits for those of its subgroup that have not: so the tests of the leaves are done together.
 //
-// Each exit that a device may force is told from a search that is over: by a reference to an inner node, a leaf's
-// primitives that are left, and `over`.
+// Each exit that a device may force is told from a search that is over: by a reference to an inner node, a
+// leaf's primitives that are left, and `over`.
 bool traverse(const bool anyHit, Ray ray, uint skipped, uint entry, inout Hit hit, inout uint tests) {
   const RayConstants constants = rayConstants(ray);
   GroupStack stack;
@@ -26,15 +27,16 @@ bool traverse(const bool anyHit, Ray ray, uint skipped, uint entry, inout Hit hi
   do {
     uint reference = 0u;
     do {
-      // Always true, as the loop's condition says it too. But without it Mesa 22.3's llvmpipe computes `reference`
-      // anew in later turns for lanes that have left the loop.
+      // Always true, as the loop's condition says it too. But without it Mesa 22.3's llvmpipe computes
+      // `reference` anew in later turns for lanes that have left the loop.
       if (steps < kMaxTraversalSteps) {
         const bool pop = group.count == 0u;
         if (pop) group = unpackGroup(stack.entries[0]);
         over = group.count == 0u;
         const uvec4 children = fetchChildren(group.node);
         const uint slot = group.slots & 3u;
-        const uint child = slot < 2u ? (slot == 0u ? children.x : children.y) : (slot == 2u ? children.z : children.w);
+        const uint child =
+            slot < 2u ? (slot == 0u ? children.x : children.y) : (slot == 2u ? children.z : children.w);
         reference = over ? kNoReference : child;
         group.slots >>= 2u;
         group.count -= over ? 0u : 1u;

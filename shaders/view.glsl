@@ -1,5 +1,5 @@
-// What an image shows in place of colours. The view is a specialization constant, so that a pipeline has the code
-// of one view only.
+// What an image shows in place of colours. The view is a specialization constant, so that a pipeline has the
+// code of one view only.
 #ifndef VIEW_GLSL
 #define VIEW_GLSL
 
@@ -22,7 +22,8 @@ vec3 objectColor(uint object) {
   return 0.2 + 0.8 / 255.0 * vec3((uvec3(random) >> uvec3(0u, 8u, 16u)) & 255u);
 }
 
-// The depth comes with a 1, so that its sum over samples has their number: those that hit nothing have no depth.
+// The depth comes with a 1, so that its sum over samples has their number: those that hit nothing have no
+// depth.
 vec3 viewedSurface(Ray ray, Hit hit, SurfacePoint point) {
   if (kView == kViewNormal) return kAsData ? point.shadingNormal : 0.5 * point.shadingNormal + 0.5;
   if (kView == kViewDepth) return vec3(min(hit.t * preciseLength(ray.direction), kFarthest), 1.0, 0.0);

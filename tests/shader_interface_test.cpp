@@ -63,6 +63,8 @@ static_assert(gpu::kBindingCount == 13 && gpu::kTexelBindings == 8 && gpu::kBind
 static_assert(gpu::kSpecCount == 16 && gpu::kSpecPlaneCount == 3 && gpu::kWorkGroupSize == 64);
 static_assert(sizeof(gpu::DispatchConstants) == 64);
 
+constexpr const char* kPushConstants = "PushConstants {\n  DispatchConstants constants;\n}";
+
 constexpr Edit kEdits[] = {
     {"BindingPastTheLast", "render.comp", "binding = kBindingWork", "binding = 13",
      "`Work` is binding 13, the program has bindings 0 to 12 only"},
@@ -71,22 +73,22 @@ constexpr Edit kEdits[] = {
     {"TexelsWhereAStorageBufferIs", "scene_data.glsl", "binding = kBindingNodes", "binding = kBindingFilter",
      "`nodeTexels` is binding 8, which is one storage buffer in the program"},
     {"UniformBuffer", "render.comp",
-     "layout(std430, set = 0, binding = kBindingWork) readonly buffer Work { WorkItem work[]; }",
+     "layout(std430, set = 0, binding = kBindingWork) readonly buffer Work {\n  WorkItem work[];\n}",
      "layout(set = 0, binding = kBindingWork) uniform Work { WorkItem work[4]; }",
      "`Work` is binding 9, which is one storage buffer in the program"},
-    {"ArrayOfBuffers", "render.comp", "buffer States { WorkState states[]; };",
+    {"ArrayOfBuffers", "render.comp", "buffer States {\n  WorkState states[];\n};",
      "buffer States { WorkState states[]; } s[2];\n#define states s[1].states",
      "`States` is binding 11, which is one storage buffer in the program"},
     {"OtherSet", "render.comp", "set = 0, binding = kBindingWork", "set = 1, binding = kBindingWork",
      "`Work` is binding 9 of descriptor set 1, the program has set 0 only"},
-    {"LongerPushConstants", "render.comp", "{ DispatchConstants constants; }",
-     "{ DispatchConstants constants; vec3 more; }",
+    {"LongerPushConstants", "render.comp", kPushConstants,
+     "PushConstants { DispatchConstants constants; vec3 more; }",
      "`PushConstants` has 76 bytes of push constants, the program's have 64"},
-    {"LaterPushConstants", "render.comp", "{ DispatchConstants constants; }",
-     "{ layout(offset = 16) DispatchConstants constants; }",
+    {"LaterPushConstants", "render.comp", kPushConstants,
+     "PushConstants { layout(offset = 16) DispatchConstants constants; }",
      "`PushConstants` has 80 bytes of push constants, the program's have 64"},
-    {"PushConstantMatrix", "render.comp", "{ DispatchConstants constants; }",
-     "{ DispatchConstants constants; mat2x3 m[2]; }",
+    {"PushConstantMatrix", "render.comp", kPushConstants,
+     "PushConstants { DispatchConstants constants; mat2x3 m[2]; }",
      "`PushConstants` has 128 bytes of push constants, the program's have 64"},
     {"OtherWorkGroup", "render.comp", "local_size_x = kWorkGroupSize", "local_size_x = 32, local_size_y = 2",
      "a work group is 32 x 2 x 1, the program's is 64 x 1 x 1"},

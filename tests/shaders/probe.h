@@ -21,7 +21,7 @@ struct ProbeRay {
 
 struct ProbeHit {
   float t;
-  uint order;     // 0xFFFFFFFF for a miss
+  uint order;  // 0xFFFFFFFF for a miss
   uint surface;
   uint finished;  // whether the search came to its end
 };

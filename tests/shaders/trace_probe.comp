@@ -6,9 +6,15 @@
 #include "traverse.glsl"
 
 layout(local_size_x = kWorkGroupSize) in;
-layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Rays { ProbeRay rays[]; };
-layout(std430, set = 0, binding = kBindingProbeOut) buffer Hits { ProbeHit hits[]; };
-layout(push_constant) uniform PushConstants { TraceConstants constants; };
+layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Rays {
+  ProbeRay rays[];
+};
+layout(std430, set = 0, binding = kBindingProbeOut) buffer Hits {
+  ProbeHit hits[];
+};
+layout(push_constant) uniform PushConstants {
+  TraceConstants constants;
+};
 
 void main() {
   const uint index = gl_GlobalInvocationID.x;

@@ -1,5 +1,5 @@
-// Makes the rays that the renderer traces from the points which given rays hit: the mirrored one and, for each
-// light, the shadow ray. In the order of the given rays; all that a ray has stand side by side.
+// Makes the rays that the renderer traces from the points which given rays hit: the mirrored one and, for
+// each light, the shadow ray. In the order of the given rays; all that a ray has stand side by side.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -8,8 +8,12 @@
 
 layout(local_size_x = kWorkGroupSize) in;
 layout(set = 0, binding = kBindingBatchRays) uniform utextureBuffer rayTexels;
-layout(std430, set = 0, binding = kBindingBatchResults) writeonly buffer Secondary { BatchRay secondary[]; };
-layout(push_constant) uniform PushConstants { BatchConstants constants; };
+layout(std430, set = 0, binding = kBindingBatchResults) writeonly buffer Secondary {
+  BatchRay secondary[];
+};
+layout(push_constant) uniform PushConstants {
+  BatchConstants constants;
+};
 
 const BatchRay kNoRay = BatchRay(vec3(0.0), -1.0, vec3(0.0), kNoSurface);
 

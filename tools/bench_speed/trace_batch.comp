@@ -1,7 +1,7 @@
 // Traces given rays with the renderer's own traversal.
 //
-// Rays are read through a texel buffer, as the scene is, so that reading them costs little; how little, the mode
-// kBatchNoTrace tells.
+// Rays are read through a texel buffer, as the scene is, so that reading them costs little; how little, the
+// mode kBatchNoTrace tells.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -11,8 +11,12 @@
 layout(local_size_x = kWorkGroupSize) in;
 layout(constant_id = kSpecBatchMode) const uint kBatchMode = kBatchClosest;
 layout(set = 0, binding = kBindingBatchRays) uniform utextureBuffer rayTexels;
-layout(std430, set = 0, binding = kBindingBatchResults) writeonly buffer Distances { float distances[]; };
-layout(push_constant) uniform PushConstants { BatchConstants constants; };
+layout(std430, set = 0, binding = kBindingBatchResults) writeonly buffer Distances {
+  float distances[];
+};
+layout(push_constant) uniform PushConstants {
+  BatchConstants constants;
+};
 
 void main() {
   const uint index = gl_GlobalInvocationID.x;

@@ -2,13 +2,19 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "stress_probes.h"
 #include "shade.glsl"
+#include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
-layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Queries { ArithmeticQuery queries[]; };
-layout(std430, set = 0, binding = kBindingProbeOut) buffer Answers { ArithmeticAnswer answers[]; };
-layout(push_constant) uniform PushConstants { CountConstants constants; };
+layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Queries {
+  ArithmeticQuery queries[];
+};
+layout(std430, set = 0, binding = kBindingProbeOut) buffer Answers {
+  ArithmeticAnswer answers[];
+};
+layout(push_constant) uniform PushConstants {
+  CountConstants constants;
+};
 
 void main() {
   const uint index = gl_GlobalInvocationID.x;

@@ -1,20 +1,26 @@
-// The colours that the renderer's paths have before they are clamped: a number that is none does not show later.
+// The colours that the renderer's paths have before they are clamped: a number that is none does not show
+// later.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "stress_probes.h"
 #include "camera.glsl"
 #include "path.glsl"
+#include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
-layout(std430, set = 0, binding = kBindingProbeOut) buffer Colors { PathColor colors[]; };
-layout(push_constant) uniform PushConstants { PathConstants constants; };
+layout(std430, set = 0, binding = kBindingProbeOut) buffer Colors {
+  PathColor colors[];
+};
+layout(push_constant) uniform PushConstants {
+  PathConstants constants;
+};
 
 void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.width * constants.height) return;
   const vec2 pixel = vec2(index % constants.width, index / constants.width);
-  const Ray ray = cameraRay(pixel + 0.5, 0.5 * vec2(constants.width, constants.height), constants.focalLength);
+  const Ray ray =
+      cameraRay(pixel + 0.5, 0.5 * vec2(constants.width, constants.height), constants.focalLength);
   PathState path = PathState(vec3(0.0), 0u, 0u, 0u);
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
   const uint shuffled = shuffledIndex(0u, hashCombine(index, kUseOfPixel));

@@ -2,13 +2,19 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "stress_probes.h"
 #include "intersect.glsl"
+#include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
-layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Queries { ShapeQuery queries[]; };
-layout(std430, set = 0, binding = kBindingProbeOut) buffer Distances { float distances[]; };
-layout(push_constant) uniform PushConstants { CountConstants constants; };
+layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Queries {
+  ShapeQuery queries[];
+};
+layout(std430, set = 0, binding = kBindingProbeOut) buffer Distances {
+  float distances[];
+};
+layout(push_constant) uniform PushConstants {
+  CountConstants constants;
+};
 
 // The box four times, as a node holds it.
 float intersectBox(Ray ray, RayConstants constants, vec3 lower, vec3 upper, float tMax) {

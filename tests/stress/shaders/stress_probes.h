@@ -27,16 +27,16 @@ struct ShapeQuery {
   uint padding2;
 };
 
-// A ray to find a point of a surface with; another one that leaves this point at the given elevation above the
-// surface (in radians, below it where negative) and azimuth; and a light, to ask whether the point is in its
-// shadow.
+// A ray to find a point of a surface with; another one that leaves this point at the given elevation above
+// the surface (in radians, below it where negative) and azimuth; and a light, to ask whether the point is in
+// its shadow.
 struct SurfaceQuery {
   vec3 origin;
   float elevation;
   vec3 direction;
   float azimuth;
   vec3 light;
-  uint skipsItself;  // whether the leaving ray leaves out the surface that it leaves, as the renderer's rays do
+  uint skipsItself;  // whether the leaving ray skips the surface that it leaves, as the renderer's rays do
 };
 
 // `surface` is kNoSurface, 0xFFFFFFFF, and the rest meaningless where the ray hits nothing.

@@ -2,14 +2,20 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "stress_probes.h"
 #include "light.glsl"
 #include "shade.glsl"
+#include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
-layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Queries { SurfaceQuery queries[]; };
-layout(std430, set = 0, binding = kBindingProbeOut) buffer Answers { SurfaceAnswer answers[]; };
-layout(push_constant) uniform PushConstants { SurfaceConstants constants; };
+layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Queries {
+  SurfaceQuery queries[];
+};
+layout(std430, set = 0, binding = kBindingProbeOut) buffer Answers {
+  SurfaceAnswer answers[];
+};
+layout(push_constant) uniform PushConstants {
+  SurfaceConstants constants;
+};
 
 vec3 leavingDirection(vec3 normal, float elevation, float azimuth) {
   vec3 x;

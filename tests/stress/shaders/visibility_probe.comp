@@ -2,13 +2,19 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "stress_probes.h"
 #include "shade.glsl"
+#include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
-layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Pairs { PointPair pairs[]; };
-layout(std430, set = 0, binding = kBindingProbeOut) buffer Answers { PairAnswer answers[]; };
-layout(push_constant) uniform PushConstants { SurfaceConstants constants; };
+layout(std430, set = 0, binding = kBindingProbeIn) readonly buffer Pairs {
+  PointPair pairs[];
+};
+layout(std430, set = 0, binding = kBindingProbeOut) buffer Answers {
+  PairAnswer answers[];
+};
+layout(push_constant) uniform PushConstants {
+  SurfaceConstants constants;
+};
 
 // A point in space is a surface's that is known without error and is not in the scene.
 bool isBlocked(vec3 from, vec3 to) {
