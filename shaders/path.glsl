@@ -32,10 +32,9 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   }
   const Material material = fetchMaterial(hit.object);
   if (!kResumable || bounce == state.bounce) {
-    if (!addIllumination(segment.ray, hit.surface, point, material, segment.weight, settings, state,
-                         counts)) {
-      return false;
-    }
+    const vec3 toViewer = -unit(segment.ray.direction);
+    const ShadingPoint shown = ShadingPoint(point, hit.surface, material, toViewer, segment.weight);
+    if (!addIllumination(shown, settings, state, counts)) return false;
     state.bounce = bounce + 1u;
     state.step = 0u;
   }
