@@ -1,12 +1,13 @@
-// What a ray hits in the scene as a whole: primitives, then planes.
+// What a ray hits in the whole scene: primitives first, then planes.
 #ifndef FIND_HIT_GLSL
 #define FIND_HIT_GLSL
 
 #include "traverse.glsl"
 
-// Finds the first surface that the ray hits before hit.t, or any one of them if `anyHit`; not the one named
-// `skipped`. `entry` is as for traverse. A plane is an object of its own, so it is compared by object.
-// Returns false if the device ended the loops before the search was over.
+// Finds the nearest surface that the ray hits before hit.t, or with `anyHit` any such surface; never the one
+// named `skipped`. `entry` is as for traverse. Each plane is an object, so planes at the same distance are
+// told apart by their object's number. Returns false if the device ended the loops before the search was
+// over.
 bool findHit(const bool anyHit, Ray given, uint skipped, uint entry, inout Hit hit, inout uint tests) {
   const Ray ray = withoutDenormals(given);
   if (kFewPrimitives) {

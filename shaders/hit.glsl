@@ -1,4 +1,4 @@
-// What a ray hits, and the tests of single primitives.
+// What a ray hits, and the tests against single primitives.
 #ifndef HIT_GLSL
 #define HIT_GLSL
 
@@ -6,7 +6,7 @@
 #include "scene_data.glsl"
 #include "tests.glsl"
 
-// A surface is a primitive's index or a plane's with kPlaneBit.
+// A surface is a primitive's index, or a plane's index with kPlaneBit.
 const uint kPlaneBit = 0x80000000u;
 const uint kNoSurface = 0xFFFFFFFFu;
 
@@ -14,16 +14,16 @@ struct Hit {
   float t;       // in lengths of the ray's direction
   uint surface;  // or kNoSurface
   uint object;
-  uint order;    // of a primitive, see there
-  vec3 weights;  // of a triangle: barycentric coordinates
+  uint order;    // Primitive::order
+  vec3 weights;  // barycentric coordinates in a triangle
 };
 
 Hit missUpTo(float tMax) {
   return Hit(tMax, kNoSurface, 0u, 0u, vec3(0.0));
 }
 
-// Keeps the primitive if it is nearer than `hit` or, at the same distance, stands before it in the scene
-// file: so the picture does not depend on the order of the tests.
+// Keeps the primitive if it is nearer than `hit` or, at the same distance, earlier in the scene file, so that
+// the picture does not depend on the order of the tests.
 void keepNearer(float t, uint index, Primitive primitive, vec3 weights, inout Hit hit) {
   if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && primitive.order < hit.order)) {
     hit = Hit(t, index, primitive.object, primitive.order, weights);
@@ -42,8 +42,8 @@ void hitPrimitive(Ray ray, RayConstants constants, uint index, inout Hit hit) {
   keepNearer(t, index, primitive, weights, hit);
 }
 
-// Tests each primitive of a scene of few: spheres first, so that no test of the other kind is computed
-// beside. Any hit is as long a search as the nearest, since of a subgroup's rays one mostly has none. Returns
+// Tests every primitive of a scene of few, spheres first, so that no lane computes a test of the other kind
+// alongside. To stop at any hit would save nothing, since mostly some ray of the subgroup has none. Returns
 // false if the device ended a loop.
 bool testEach(Ray ray, uint skipped, inout Hit hit, inout uint tests) {
   const RayConstants constants = rayConstants(ray);

@@ -1,4 +1,4 @@
-// What a point of a surface shows by itself: its ambient colour and each light's term, with shadows.
+// What a point of a surface shows by itself: its ambient colour and the term of each light, with shadows.
 #ifndef ILLUMINATION_GLSL
 #define ILLUMINATION_GLSL
 
@@ -8,25 +8,25 @@
 #include "shade.glsl"
 #include "view.glsl"
 
-// A point of a surface, as a path sees it.
+// A point of a surface as a path sees it.
 struct ShadingPoint {
   SurfacePoint at;
-  uint surface;  // that it is on: shadow rays skip it
+  uint surface;  // that the point is on; its shadow rays skip it
   Material material;
   vec3 toViewer;  // unit length
-  vec3 weight;    // of what it shows, in the path's colour
+  vec3 weight;    // of what the point shows in the path's colour
 };
 
 // The directions in which a sample looks at a light.
 struct LightDirections {
   PathSettings settings;
-  uint use;    // number of the path's sequence that they are from
+  uint use;    // which of the path's sequences they come from
   uint count;  // 1 for a point light
 };
 
-// How many directions to look in at a spherical light from a point: one, unless what the path shows may
-// exceed 1 with all lights unblocked. What mirrors may add is guessed: 1 for the next point, 1/2 for the ones
-// before, which must not be taken from the path's state since that is not the same when it is resumed.
+// The number of directions in which to look at a spherical light from the point: one, unless the path's
+// colour could exceed 1 with no light blocked. What mirrors may add is a guess: 1 for the next point, 1/2 for
+// the earlier ones together. It must not come from the path's state, which differs when the path is resumed.
 // Returns 0 where the device ended the loop.
 uint lightDirectionCount(ShadingPoint point, uint bounce) {
   const Material material = point.material;
@@ -37,14 +37,14 @@ uint lightDirectionCount(ShadingPoint point, uint bounce) {
     const vec3 toLight = unit(light.position - point.at.position);
     color += phong(material, light, point.at.shadingNormal, toLight, point.toViewer);
   }
-  // Not i < kLightCount: that is the loop's own condition, which compilers take to be false after it.
+  // Not i < kLightCount: compilers take the loop's own condition to be false after the loop.
   if (i != kLightCount) return 0u;
   color = point.weight * color + (bounce > 0u ? 0.5 : 0.0);
   return maxComponent(color) < 0.95 ? 1u : kClampedLightDirections;
 }
 
-// Where direction i goes to the light. One direction for each position in the pixel is stratified together
-// with that, as a narrow shadow depends on both.
+// The numbers that choose direction i. With one direction per position in the pixel, the two are stratified
+// together, since a narrow shadow depends on both.
 vec2 lightPoint(LightDirections directions, uint i) {
   const PathSettings settings = directions.settings;
   const uint seed = hashCombine(settings.seed, directions.use);
@@ -55,8 +55,8 @@ vec2 lightPoint(LightDirections directions, uint i) {
   return pairAt(index, seed);
 }
 
-// The light's term: the mean over the directions; any value unless `showsAny`. Returns false where the device
-// ended the search for shadows.
+// Sets `term` to the light's term, the mean over the directions; to any value unless `showsAny`. Returns
+// false where the device ended the search for shadows.
 bool lightTerm(Light light, ShadingPoint point, LightDirections directions, bool showsAny,
                inout RayCounts counts, out vec3 term) {
   term = vec3(0.0);
@@ -85,8 +85,8 @@ bool lightTerm(Light light, ShadingPoint point, LightDirections directions, bool
   return finished && (!kHasSphericalLights || i == directions.count);
 }
 
-// Adds what the point shows by itself from state.step on. Returns false where the device ended the loops or
-// the dispatch has traced its share of shadow rays; state says what is missing.
+// Adds what the point shows by itself, from state.step on. Returns false where the device ended the loops or
+// the dispatch has traced its share of shadow rays; `state` then says what is missing.
 bool addIllumination(ShadingPoint point, PathSettings settings, inout PathState state,
                      inout RayCounts counts) {
   if (state.step == 0u) {
@@ -104,7 +104,7 @@ bool addIllumination(ShadingPoint point, PathSettings settings, inout PathState 
     const LightDirections directions =
         LightDirections(settings, use, light.radius > 0.0 ? directionCount : 1u);
     vec3 term;
-    // A sample that is white in all channels stays so: what is added is not negative.
+    // A sample that is white in all channels stays white, since no term is negative.
     const bool showsAny = kView == kViewShadow || minComponent(state.color) < 1.0;
     const uint tests = counts.tests;
     if (!lightTerm(light, point, directions, showsAny, counts, term)) return false;
@@ -112,7 +112,7 @@ bool addIllumination(ShadingPoint point, PathSettings settings, inout PathState 
     if (kCountsTests) state.tests += counts.tests - tests;
   }
   const bool finished = state.step > kLightCount;
-  // The lights that are not blocked have been counted so far.
+  // So far the colour is the number of lights that are not blocked.
   if (kView == kViewShadow && kLightCount > 0u && finished) state.color /= float(kLightCount);
   return finished;
 }

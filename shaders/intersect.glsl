@@ -1,9 +1,11 @@
 // Where a ray meets a box, a triangle, a sphere or a plane.
 //
-// The sign of a difference of products decides hit or miss here. Rounding alone never turns such a sign, it
-// can only make it zero, and zero counts as inside; contracting or reordering does turn it, and is forbidden
-// to compilers in all of the shaders' arithmetic (host/shader_compiler/exact_spirv.hpp). A ray is o + t d,
-// where d may have any length; a hit has 0 < t < infinity. The tests are written so that a NaN fails them.
+// The sign of a difference of products decides between hit and miss here. Rounding alone never flips such a
+// sign; it can only make the difference zero, which counts as inside. Contraction and reordering can flip it,
+// so compilers are forbidden both in all of the shaders' arithmetic (host/shader_compiler/exact_spirv.hpp).
+//
+// A ray is o + t d, where d may have any length; a hit has 0 < t < infinity. The tests are written so that a
+// NaN fails them.
 #ifndef INTERSECT_GLSL
 #define INTERSECT_GLSL
 
@@ -17,20 +19,20 @@ struct Ray {
 // What a traversal needs of its ray, computed once.
 struct RayConstants {
   vec3 inverse;    // of the direction; +-infinity where that is zero
-  bvec3 negative;  // whether the ray enters a box through its upper side, for each axis
-  uint axis;       // of the direction's largest component: the ray's own z axis
-  vec3 shear;      // the direction there, scaled by a power of two so that 1 <= |shear.z| < 2
+  bvec3 negative;  // for each axis, whether the ray enters a box through its upper side
+  uint axis;       // of the direction's largest component, which becomes the ray's z axis
+  vec3 shear;      // the direction in its axes, scaled by a power of two so that 1 <= |shear.z| < 2
   float inverseZ;  // 1 / the unscaled z component
 };
 
-// Moves the components round until `axis` is z.
+// Rotates the components so that `axis` becomes z.
 vec3 permute(vec3 v, uint axis) {
   return axis == 2u ? v : (axis == 1u ? v.zxy : v.yzx);
 }
 
-// A device may take a denormal number for zero; here each does. In a direction its inverse is infinite, and
-// so it bounds the ray at sides that zero leaves open; in an origin it keeps such a ray out of a box that it
-// touches.
+// A device may treat denormal numbers as zero; this makes every device do so. In a direction the inverse of a
+// denormal number is infinite, so that it would bound the ray at sides where zero sets no bound; in an origin
+// it would keep such a ray out of a box that it touches.
 vec3 withoutDenormals(vec3 v) {
   return mix(vec3(0.0), v, greaterThanEqual(abs(v), vec3(kMinNormal)));
 }
@@ -38,7 +40,7 @@ Ray withoutDenormals(Ray ray) {
   return Ray(withoutDenormals(ray.origin), withoutDenormals(ray.direction));
 }
 
-// The ray has no denormal numbers.
+// The ray must have no denormal numbers.
 RayConstants rayConstants(Ray ray) {
   RayConstants constants;
   constants.inverse = 1.0 / ray.direction;
@@ -53,14 +55,13 @@ RayConstants rayConstants(Ray ray) {
   return constants;
 }
 
-// Distances at which the ray enters four boxes, or infinity where it misses one or enters it behind tMax.
-// `near` and `far` are the boxes' sides that it meets first and last on each axis, by the sign of its
-// direction.
+// The distances at which the ray enters four boxes, or infinity where it misses one or enters it beyond tMax.
+// `near` and `far` are the bounds that it meets first and last on each axis, by the sign of its direction.
 //
-// Choosing the near and the far side by the sign of the direction, instead of by minimum and maximum, makes
-// 0 * infinity (a ray inside a side's plane) a NaN that no comparison takes up: the axis sets no bound.
-// The far distance is widened by two units in the last place, which covers the rounding of all three axes:
-// Ize, "Robust BVH Ray Traversal", 2013.
+// With the near and the far bound chosen by the sign of the direction, not by minimum and maximum, 0 *
+// infinity (a ray in the plane of a side) is a NaN that every comparison rejects: the axis sets no bound. The
+// far distance is widened by two units in the last place, which covers the rounding on all three axes: Ize,
+// "Robust BVH Ray Traversal", 2013.
 vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], float tMax) {
   vec4 entry = vec4(0.0);
   vec4 exit = vec4(tMax);
@@ -74,14 +75,16 @@ vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], 
   return mix(vec4(kInfinity), entry, lessThanEqual(entry, paddedExit));
 }
 
-// Distance to the triangle, or infinity; `weights` are the barycentric coordinates of a, b, c.
+// The distance to the triangle, or infinity; `weights` are the barycentric coordinates of a, b, c.
 //
-// The triangle is sheared into coordinates in which the ray is the z axis, and the signed areas that the axis
-// makes with each edge are compared. Two triangles that share an edge compute the same products for it, so no
-// ray passes between them. Based on: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013,
-// without its double-precision fallback, which only takes back hits on edges, and with the shear multiplied
-// by the ray's z instead of divided: then the vertices of a scene in round numbers are sheared exactly, and a
-// pixel's centre on an edge hits it.
+// The triangle is sheared into coordinates in which the ray is the z axis, and the signs of the areas that
+// this axis spans with each edge are compared. Two triangles that share an edge compute the same products for
+// it, so no ray passes between them.
+//
+// Based on: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013; without its
+// double-precision fallback, which only takes back hits on edges, and multiplying by the shear's z in place
+// of dividing by it. So the vertices of a scene in round numbers are sheared exactly, and the ray through a
+// pixel's centre hits an edge that it lies on.
 float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c, out vec3 weights) {
   const vec3 localA = permute(a - ray.origin, constants.axis);
   const vec3 localB = permute(b - ray.origin, constants.axis);
@@ -102,12 +105,13 @@ float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c,
   return t > 0.0 ? t : kInfinity;
 }
 
-// Distance to the near side of the sphere, or infinity. From inside, or from the surface inwards, it is not
-// seen.
+// The distance to the near side of the sphere, or infinity. From inside, or from the surface inwards, the
+// sphere is not seen.
 //
-// b^2 - a c cancels for a distant sphere, and r^2 - (distance of the centre from the ray)^2 does for a huge
-// one: each is used where its terms are the smaller ones. In c, the largest axis pairs with the radius.
-// Based on: Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019.
+// b^2 - a c suffers cancellation for a distant sphere, and r^2 - (distance of the centre from the ray)^2 for
+// a huge one; each is used where its terms are the smaller ones. In c, the largest component is paired with
+// the radius. Based on: Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere
+// Intersection", 2019.
 float intersectSphere(Ray ray, vec3 center, float radius) {
   const vec3 f = ray.origin - center;
   const float a = preciseDot(ray.direction, ray.direction);
@@ -132,10 +136,10 @@ float intersectSphere(Ray ray, vec3 center, float radius) {
   return t > 0.0 ? t : kInfinity;
 }
 
-// Distance to the plane, or infinity.
+// The distance to the plane, or infinity.
 float intersectPlane(Ray ray, vec3 normal, float distance) {
   const float t = (distance - preciseDot(normal, ray.origin)) / preciseDot(normal, ray.direction);
-  return t > 0.0 ? t : kInfinity;  // 0 / 0 is a ray inside the plane: NaN, a miss; x / 0 is infinite
+  return t > 0.0 ? t : kInfinity;  // a ray in the plane has 0 / 0, a NaN: a miss; x / 0 is infinite
 }
 
 #endif

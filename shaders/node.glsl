@@ -1,16 +1,16 @@
-// A node of the BVH: which of its children a ray enters, and those that wait to be visited.
+// A node of the BVH: which of its children a ray enters, and which are still to be visited.
 #ifndef NODE_GLSL
 #define NODE_GLSL
 
 #include "intersect.glsl"
 #include "scene_data.glsl"
 
-// Four bounds, a byte each, of boxes in a node's frame.
+// Four bounds of boxes, one byte each, in a node's frame.
 vec4 decodeBounds(uint bounds, float origin, float unit) {
   return vec4((uvec4(bounds) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
 }
 
-// Where the ray enters the boxes of the node's children, as intersectBoxes.
+// Where the ray enters the boxes of the node's children; as for intersectBoxes.
 vec4 enterChildren(Ray ray, RayConstants constants, uint index, float tMax) {
   const BvhNode node = fetchNode(index);
   const uvec3 nearBounds = mix(node.lower, node.upper, constants.negative);
@@ -25,15 +25,16 @@ vec4 enterChildren(Ray ray, RayConstants constants, uint index, float tMax) {
   return intersectBoxes(ray, constants, near, far, tMax);
 }
 
-// Children of a node that are still to be visited: `count` slots, two bits each, the nearest one lowest.
+// The children of a node that are still to be visited: `count` slots of two bits each, the nearest one
+// lowest.
 struct NodeGroup {
   uint node;
   uint slots;
   uint count;
 };
 
-// The children that are entered at these distances. A distance is at least 0, so its bits compare as it does;
-// its lowest two make room for the slot.
+// The children that are entered at these distances, nearest first. A distance is at least 0, so its bits
+// compare as it does itself; the lowest two give way to the slot.
 NodeGroup sortedGroup(uint node, vec4 entry) {
   const bvec4 hits = lessThan(entry, vec4(kInfinity));
   uvec4 keys = (floatBitsToUint(entry) & ~3u) | uvec4(0u, 1u, 2u, 3u);
@@ -44,9 +45,9 @@ NodeGroup sortedGroup(uint node, vec4 entry) {
   return NodeGroup(node, slots, uint(hits.x) + uint(hits.y) + uint(hits.z) + uint(hits.w));
 }
 
-// Groups that wait, packed, the last one in entry 0.
-// Entries are moved along instead of being counted, since constant indices keep them in registers: on
-// lavapipe a write to a computed index is a branch for each lane, and took two thirds of the time.
+// The packed groups that wait, the last one in entry 0. A push or pop moves all entries along, since constant
+// indices keep them in registers: on lavapipe a write to a computed index is a branch per lane, and took two
+// thirds of the time.
 struct GroupStack {
   uint entries[kStackSize];
 };
@@ -58,7 +59,7 @@ NodeGroup unpackGroup(uint entry) {
   return NodeGroup(entry >> kGroupNodeShift, (entry >> kGroupSlotsShift) & 63u, entry & 3u);
 }
 
-// Takes the last group away if `pop`, then adds one if `push`.
+// Pops the last group if `pop`, then pushes one if `push`.
 void updateStack(inout GroupStack stack, bool pop, bool push, NodeGroup added) {
   const bool up = push && !pop;
   const bool down = pop && !push;

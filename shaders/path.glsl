@@ -1,27 +1,27 @@
-// One sample of a pixel: what a camera ray and the mirror rays that follow it see.
+// One sample of a pixel: what a camera ray, and the mirror rays that continue it, see.
 #ifndef PATH_GLSL
 #define PATH_GLSL
 
 #include "illumination.glsl"
 #include "view.glsl"
 
-// A path between two of its vertices.
+// The part of a path between two of its vertices.
 struct Segment {
   Ray ray;
-  uint skipped;  // the surface that it leaves
+  uint skipped;  // the surface that the ray leaves
   uint entry;    // the packed group that the search starts with
-  vec3 weight;   // product of the mirrors' reflectances so far
+  vec3 weight;   // the product of the mirrors' reflectances so far
 };
 
-// Finds what the segment hits, adds what that shows and replaces the segment by the mirrored one, or sets
-// `ended`. Returns false where it could not be finished; state says what is missing.
+// Finds what the segment hits, adds what that shows and replaces the segment with its reflection, or sets
+// `ended`. Returns false where it could not finish; `state` then says what is missing.
 bool followSegment(inout Segment segment, uint bounce, PathSettings settings, inout PathState state,
                    inout RayCounts counts, out bool ended) {
   ended = true;
   Hit hit = missUpTo(kInfinity);
   uint tests = 0u;
   if (!findHit(false, segment.ray, segment.skipped, segment.entry, hit, tests)) return false;
-  // Where the path is traced again, they have been added already.
+  // When a path is traced again, they have been added already.
   const bool isNew = !kResumable || (bounce == state.bounce && state.step == 0u);
   if (kCountsTests && isNew) state.tests += tests;
   if (hit.surface == kNoSurface) return true;
@@ -39,7 +39,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
     state.step = 0u;
   }
   if (!kHasMirrors || bounce == settings.maxDepth) return true;
-  // Kept finite: an infinite weight times a colour of 0 would be no number.
+  // Kept finite: an infinite weight times a colour of 0 would be a NaN.
   segment.weight = min(segment.weight * material.reflectance, vec3(3.4e38));
   if (maxComponent(segment.weight) < kMinReflectance) return true;
   const vec3 incoming = unit(segment.ray.direction);
@@ -52,9 +52,9 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   return true;
 }
 
-// Returns false where the path could not be finished; state says what is missing. Without mirrors a path is
-// one segment: the loop's condition is then the constant false, and compilers unwrap it, which they do not do
-// with a for loop that turns once.
+// Returns false where the path could not be finished; `state` then says what is missing. Without mirrors a
+// path is one segment: the loop's condition is then the constant false and compilers remove the loop, which
+// they do not do with a for loop of one iteration.
 bool tracePath(Ray ray, uint entry, PathSettings settings, inout PathState state, inout RayCounts counts) {
   Segment segment = Segment(ray, kNoSurface, entry, vec3(1.0));
   bool finished = false;

@@ -1,4 +1,4 @@
-// How far a path has come, what is counted on the way, and what tells it from others.
+// How far a path has come, what is counted along it, and what distinguishes it from others.
 #ifndef PATH_STATE_GLSL
 #define PATH_STATE_GLSL
 
@@ -6,12 +6,12 @@
 
 layout(constant_id = kSpecResumable) const bool kResumable = true;
 
-// How far a path has come. It is the same path again whenever it is traced: so one that could not be finished
-// is traced from the start, and its colour is added to from here on.
+// How far a path has come. Tracing a path again gives the same path, so one that could not be finished is
+// traced from the start and adds to its colour from this state on.
 struct PathState {
   vec3 color;
   uint bounce;
-  uint step;   // of that bounce: 0 is the ambient colour, i + 1 is light i
+  uint step;   // of the bounce: 0 is the ambient colour, i + 1 is light i
   uint tests;  // so far, see tests.glsl
 };
 
@@ -22,16 +22,16 @@ struct RayCounts {
   uint tests;  // of shadow rays, see tests.glsl
 };
 
-// The sequences of a path by number: that of the position in the pixel, and from the other on one for each
-// light at each bounce.
+// The numbers of a path's sequences: that of the position in the pixel and, from the second constant on, one
+// for each light at each bounce.
 const uint kUseOfPixel = 0u;
 const uint kUseOfFirstLight = 1u;
 
 struct PathSettings {
   uint maxDepth;       // mirror bounces
-  uint index;          // of the sample, and
-  uint seed;           // its sequences
-  uint shuffledIndex;  // in that of the position in the pixel
+  uint index;          // the sample's
+  uint seed;           // of the sample's sequences
+  uint shuffledIndex;  // the sample's in the sequence of positions in the pixel
 };
 
 #endif

@@ -1,5 +1,5 @@
-// Sample positions: Owen-scrambled Sobol points or independent random numbers, a pure function of sequence,
-// sample and use, so that any sample can be taken anywhere and at any time.
+// Sample positions: Owen-scrambled Sobol points or independent random numbers. They are a pure function of
+// sequence, sample and use, so that any sample can be taken anywhere and at any time.
 #ifndef RANDOM_GLSL
 #define RANDOM_GLSL
 
@@ -20,9 +20,9 @@ uint hashCombine(uint seed, uint value) {
   return hash(seed ^ hash(value + 0x9E3779B9u));
 }
 
-// Owen's nested uniform scrambling of x whose bits are reversed: a bit is flipped as the ones that were above
-// it say. Based on: Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011, with the
-// constants of Vegdahl, "Building a Better LK Hash", 2021.
+// Owen's nested uniform scrambling of an x with reversed bits: the bits that were above a bit decide whether
+// it is flipped. Based on: Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011, with
+// the constants of Vegdahl, "Building a Better LK Hash", 2021.
 uint scrambleReversed(uint x, uint seed) {
   x ^= x * 0x3D20ADEAu;
   x += seed;
@@ -36,9 +36,9 @@ uint scramble(uint x, uint seed) {
   return bitfieldReverse(scrambleReversed(bitfieldReverse(x), seed));
 }
 
-// The second Sobol dimension of an index. Its generator matrix is Pascal's triangle modulo 2, whose entry (i,
-// j) is 1 where the bits of i are among those of j: so the product is five steps, one for each bit of the bit
-// numbers.
+// The second Sobol dimension at an index. Its generator matrix is Pascal's triangle modulo 2, whose entry (i,
+// j) is 1 where the bits of i are among those of j. So the product takes five steps, one for each bit of a
+// bit's number.
 uint sobolSecond(uint index) {
   index ^= (index & 0xAAAAAAAAu) >> 1;
   index ^= (index & 0xCCCCCCCCu) >> 2;
@@ -53,15 +53,15 @@ float unitInterval(uint x) {
   return float(x >> 8) * 5.9604645e-8;
 }
 
-// The index of sample `index` in a sequence whose indices are shuffled so that every power of two from 0 on
-// stays a permutation of itself. With a shuffle of its own and values of its own, by its seed, a sequence is
-// independent of others.
+// The shuffled index of a sample in a sequence: for every power of two n, the first n indices are permuted
+// among themselves. A sequence's seed gives it a shuffle and values of its own, so it is independent of other
+// sequences.
 uint shuffledIndex(uint index, uint seed) {
   return kSampling == kSamplingRandom ? index : scramble(index, seed);
 }
 
-// The point at an index of a two-dimensional sequence in [0, 1)^2: every power of two points from 0 on is a
-// (0, 2)-net. Based on: Burley, "Practical Hash-based Owen Scrambling", 2020.
+// The point at an index of a sequence in [0, 1)^2, whose first n points are a (0, 2)-net for every power of
+// two n. Based on: Burley, "Practical Hash-based Owen Scrambling", 2020.
 vec2 pairAt(uint index, uint seed) {
   if (kSampling == kSamplingRandom) {
     const uint random = hashCombine(seed, index);
@@ -72,15 +72,17 @@ vec2 pairAt(uint index, uint seed) {
   return vec2(unitInterval(x), unitInterval(y));
 }
 
-// A sequence has this many companions: each a (0, 2)-sequence with a seed of its own, and with the first one
-// a sequence in four dimensions that is stratified as such, which two independent ones are not. A companion's
-// index is the index, taken as a polynomial over the field of two elements with its highest bit first, times
-// a factor with six terms, as far as it does not go below the lowest bit. Here is, for each term but the
-// first, which is 1, the bits that it goes down, a hexadecimal digit a companion, that of number 0 the
-// lowest. Any factors serve; these were searched for as those that leave least of the variance of penumbrae
-// 0.7 to 33 pixels wide, at 4 to 65,536 samples, by the gain coefficients of scrambled nets (Pan and Owen,
-// "The Nonzero Gain Coefficients of Sobol's Sequences Are Always Powers of Two", 2023): narrow ones as little
-// as four Sobol dimensions do, wide ones as little as two.
+// A sequence has this many companions. Each is a (0, 2)-sequence with a seed of its own and, together with
+// the sequence, is stratified in four dimensions, as two independent sequences are not. A companion's index
+// is the sequence's index times a factor of six terms, both taken as polynomials over the field of two
+// elements, highest bit first; what falls below the lowest bit is dropped. The first term is 1. For each
+// other term the table has the bits by which it shifts down, one hexadecimal digit per companion, that of
+// companion 0 the lowest.
+//
+// Any factors would do. A search found these to leave the least variance in penumbrae 0.7 to 33 pixels wide
+// at 4 to 65,536 samples, by the gain coefficients of scrambled nets (Pan and Owen, "The Nonzero Gain
+// Coefficients of Sobol's Sequences Are Always Powers of Two", 2023): in narrow ones as little as four Sobol
+// dimensions leave, in wide ones as little as two.
 const uint kCompanions = 16u;
 const uint kCompanionTerms = 5u;
 const uvec2 kCompanionShifts[kCompanionTerms] =

@@ -1,9 +1,9 @@
-// Takes the samples of one work item an invocation.
+// Each invocation takes the samples of one work item.
 //
-// An item may not be finished in one dispatch: it has more shadow rays than one allows, or the device ends
-// the loops. In a resumable pipeline it leaves its state behind and goes on from there in the next dispatch;
-// the sum is the same whatever the dispatches. Most scenes never need that and run a pipeline without it,
-// which gives such an item up for a resumable one to do.
+// One dispatch may not finish an item: the item has more shadow rays than a dispatch allows, or the device
+// ends the loops. A resumable pipeline then saves the item's state and the next dispatch resumes from it; the
+// sum is the same however many dispatches it takes. Most scenes never need that and run a pipeline without
+// it, which gives up on such an item and leaves it to a resumable one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -30,7 +30,7 @@ layout(push_constant) uniform PushConstants {
   DispatchConstants constants;
 };
 
-// `index` and `seed` are those of the sequence of positions.
+// `index` and `seed` belong to the sequence of positions.
 Ray sampleRay(uvec2 pixel, uint index, uint seed) {
   vec2 offset = vec2(0.0);
   if (kSampling != kSamplingCenter) {
@@ -41,8 +41,8 @@ Ray sampleRay(uvec2 pixel, uint index, uint seed) {
   return cameraRay(position, constants.halfImage, constants.focalLength);
 }
 
-// Clamped to [0, 1]; written so that a NaN becomes 0. So does what is so small that the denormal numbers,
-// which some devices take for zero, have changed it.
+// Clamps to [0, 1], written so that a NaN becomes 0. So does a number so small that denormal numbers, which
+// some devices treat as zero, may have changed it.
 float displayed(float c) {
   return c >= kMinExact ? min(c, 1.0) : 0.0;
 }
@@ -50,14 +50,14 @@ vec3 displayed(vec3 color) {
   return vec3(displayed(color.r), displayed(color.g), displayed(color.b));
 }
 
-// The packed group that the pixel's camera rays start with.
+// The packed group at which the pixel's camera rays enter the hierarchy.
 uint entryGroup(uvec2 pixelInCrop) {
   if (!kHasEntryNodes) return kRootGroup;
   const uvec2 tile = pixelInCrop >> constants.tileShift;
   return fetchEntryNode(tile.y * constants.tilesAcross + tile.x);
 }
 
-// Takes the sample that the state is at. Returns false where it could not be finished.
+// Takes the sample that `state` has reached. Returns false where it could not be finished.
 bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState state,
                 inout RayCounts counts) {
   PathState path = PathState(state.color, state.bounce, state.step, state.tests);
@@ -82,8 +82,8 @@ bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState 
   return finished;
 }
 
-// Takes samples from state.taken on. Returns false where it could not take them all. The loop is written as
-// that of tracePath, for the same reason.
+// Takes the samples from state.taken on. Returns false where it could not take them all. The loop has the
+// form of tracePath's, for the same reason.
 bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
   const uvec2 inCrop = uvec2(item.pixel % constants.cropWidth, item.pixel / constants.cropWidth);
   const uvec2 pixel = inCrop + uvec2(constants.cropX, constants.cropY);
@@ -99,7 +99,7 @@ bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
   return state.taken == item.count;
 }
 
-// Without sequences the items are consecutive pixels, which need not be read.
+// Without sequences the items are consecutive pixels, so none needs to be read.
 WorkItem workItem(uint index) {
   if (kSampling == kSamplingCenter) return WorkItem(constants.firstPixel + index, 0u, 0u, 1u);
   return work[index];
@@ -114,8 +114,8 @@ void main() {
   if (index >= constants.itemCount) return;
   WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0.0, 0u, 0u);
   if (kResumable) {
-    // Both are read whether the mode needs them or not: what Mesa 26.1's llvmpipe makes of a buffer that it
-    // first reads under a condition ends in a fault.
+    // Read in every mode, needed or not: Mesa 26.1's llvmpipe crashes on a buffer that is first read under a
+    // condition.
     const float squares = results[index].squares;
     const WorkState left = states[index];
     if (constants.mode != kModeAll && squares >= 0.0) return;

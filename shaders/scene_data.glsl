@@ -1,17 +1,16 @@
-// The scene's arrays, and the functions that read them.
+// The scene's arrays and the functions that read them.
 //
-// All are read through texel buffer views, where these reach: on lavapipe a texel fetch is a few wide loads
-// where a storage buffer load is a branch for every component of every lane. A device need have no more than
-// 65,536 texels in a view, so there is a pipeline that reads the same words from storage buffers (see
-// scene_buffers.hpp). The texels are integers, so that no driver takes an index for a denormal float and
-// flushes it.
+// They are read through texel buffer views as far as these reach: on lavapipe a texel fetch is a few wide
+// loads, where a storage buffer load is a branch for every component of every lane. A device need not allow
+// more than 65,536 texels in a view, so another module reads the same words from storage buffers (see
+// scene_buffers.hpp). Texels are integers, so that no driver flushes an index to zero as a denormal float.
 #ifndef SCENE_DATA_GLSL
 #define SCENE_DATA_GLSL
 
 #include "interface.h"
 
-// Of the two pipelines that this is compiled to, one knows no hierarchy. Drivers take long to remove what a
-// specialization constant makes dead, so this is a constant of the compiler's.
+// One of the modules that are compiled from this has no hierarchy. Drivers take long to remove what a
+// specialization constant makes dead, so the choice is a compile-time constant.
 #ifdef LAVARAY_FEW_PRIMITIVES
 const bool kFewPrimitives = true;
 #else
@@ -109,7 +108,7 @@ Plane fetchPlane(uint index) {
   return Plane(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 
-// The packed group that camera rays through the tile start with.
+// The packed group at which the tile's camera rays enter the hierarchy.
 uint fetchEntryNode(uint tile) {
   const uvec4 t = TEXEL(entryNodeTexels, tile / kEntryNodesPerTexel);
   const uvec2 pair = (tile & 2u) == 0u ? t.xy : t.zw;

@@ -5,21 +5,22 @@
 
 #include "surface.glsl"
 
-// 1 - the cosine of the angle between two unit vectors, from their difference: what a high power brings to
-// light is lost in the dot product.
+// One minus the cosine of the angle between two unit vectors, computed from their difference: the dot product
+// loses the digits that a high power brings out.
 float oneMinusCosine(vec3 a, vec3 b) {
   const vec3 difference = a - b;
   return 0.5 * preciseDot(difference, difference);
 }
 
-// A power so small that it may be a denormal number, which the brightest light must not bring back, is none.
+// Zero for a power so small that it may come from denormal numbers: not even the brightest light must show
+// these.
 float withoutTraces(float power) {
   return power >= kMinExact ? power : 0.0;
 }
 
-// cosine^shininess, with 0^0 = 1; a negative cosine counts as 0. The built-in pow is undefined for 0^0, and
-// close to 1 its logarithm has too few digits for a high power: there it is the series 2 artanh(x) = ln((1 +
-// x) / (1 - x)).
+// cosine^shininess, where 0^0 is 1 and a negative cosine counts as 0. The built-in pow leaves 0^0 undefined,
+// and for cosines near 1 its logarithm has too few digits for a high power; there the logarithm is computed
+// by the series 2 artanh(x) = ln((1 + x) / (1 - x)).
 float specularPower(float oneMinusCosine, float shininess) {
   if (shininess == 0.0) return 1.0;
   if (!(oneMinusCosine < 1.0)) return 0.0;
@@ -30,8 +31,8 @@ float specularPower(float oneMinusCosine, float shininess) {
   return withoutTraces(exp2(shininess * series * -2.8853901));  // 2 / ln 2
 }
 
-// What an unblocked light adds. `toLight` and `toViewer` have unit length; a light in the point itself has no
-// direction (toLight is 0) and adds its ambient term only.
+// What an unblocked light adds. `toLight` and `toViewer` have unit length, but a light at the point itself
+// has no direction: `toLight` is 0, and it adds its ambient term only.
 vec3 phong(Material material, Light light, vec3 normal, vec3 toLight, vec3 toViewer) {
   vec3 color = light.ambient * material.ambient;
   const float cosine = preciseDot(toLight, normal);
@@ -44,15 +45,16 @@ vec3 phong(Material material, Light light, vec3 normal, vec3 toLight, vec3 toVie
   return color;
 }
 
-// Largest t of a shadow ray that counts as before the light. A surface through the light does not block it,
-// and its t, 1 in exact arithmetic, is off by the rounding of the numbers it is computed from, at either end.
+// The largest t at which a surface is in front of the light. A surface through the light does not block it;
+// its t would be 1 in exact arithmetic, and is off by the rounding of the numbers that it is computed from,
+// at either end.
 float shadowRayEnd(vec3 origin, vec3 light, vec3 direction) {
   const float magnitude = maxComponent(abs(origin)) + maxComponent(abs(light));
   return 1.0 - 2.0 * kPositionUlps * kHalfUlp * magnitude / maxComponent(abs(direction));
 }
 
-// Sets `blocked` to whether a surface other than `surface` lies between its point and a point of the light.
-// Returns false if the device ended the search early.
+// Sets `blocked` to whether a surface other than `surface`, which has the point, lies between the point and a
+// point of the light. Returns false if the device ended the search early.
 bool findShadow(SurfacePoint point, uint surface, vec3 light, out bool blocked, inout uint tests) {
   blocked = false;
   const vec3 origin = leave(point, light - point.position);

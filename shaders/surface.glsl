@@ -1,4 +1,4 @@
-// The point of a hit: where it is, how sure that is, and how it is oriented.
+// The point of a hit: its position, how accurate that is, and its normals.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
@@ -6,22 +6,22 @@
 
 struct SurfacePoint {
   vec3 position;
-  float error;           // bound of the position's distance from the surface
-  vec3 geometricNormal;  // unit length; sets the side that a secondary ray leaves from
+  float error;           // bounds the position's distance from the surface
+  vec3 geometricNormal;  // unit length; decides the side on which a secondary ray leaves
   vec3 shadingNormal;    // unit length, on the side that the surface is seen from
 };
 
-// Half a unit in the last place of 1, and how many of them a position may be off by, in proportion to the
-// numbers that it is computed from: the ones of the projection below (4; of a sphere's normal and radius 5),
-// of the host's rounding of coordinates and normals (2) and of adding the offset (1).
+// Half a unit in the last place of 1, and how many of these a position may be off by, relative to the numbers
+// that it is computed from: 4 in the projection below (5 in a sphere's normal and radius), 2 in the host's
+// rounding of coordinates and normals, and 1 in adding the offset.
 const float kHalfUlp = 5.9604645e-8;
 const float kPositionUlps = 8.0;
 
-// The same in proportion to the extent of a triangle. A mesh's faces that adjoin at a point are tested
-// relative to the point, where a vertex far away loses the digits of the point's own coordinates.
+// The same relative to the extent of a triangle. The faces that meet at a point of a mesh are tested relative
+// to that point, and there the coordinates of a distant vertex lose the digits of the point's own.
 const float kExtentUlps = 4.0;
 
-// Moves a point near a plane onto it; what is left is the rounding of the distance, not that of t.
+// Moves a point near a plane onto it. What remains is the rounding of the distance, not that of t.
 SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction) {
   const float offPlane = preciseDot(normal, near) - distance;
   const vec3 position = near - offPlane * normal;
@@ -37,8 +37,8 @@ SurfacePoint pointOnSphere(vec3 near, vec3 center, float radius) {
   return SurfacePoint(position, error, normal, normal);
 }
 
-// The interpolated normal, turned so that the face, taken on the side that this normal is on, is seen from
-// the front: then neither the winding nor a silhouette flips it. Zero where the corner normals cancel.
+// The interpolated normal, on the side of the face that is seen, so that neither the winding order nor a
+// silhouette flips it. Zero where the corner normals cancel.
 vec3 interpolatedNormal(uint firstCornerNormal, vec3 weights, vec3 facing) {
   const vec3 normal = unit(weights.x * fetchCornerNormal(firstCornerNormal).normal +
                            weights.y * fetchCornerNormal(firstCornerNormal + 1u).normal +
@@ -71,8 +71,8 @@ SurfacePoint surfacePoint(Ray ray, Hit hit) {
   return pointOnTriangle(near, hit, primitive, ray.direction);
 }
 
-// Origin of a ray that leaves the point towards `direction`: moved off the surface by the error bound, to the
-// side that the ray is on, so that no part of the surface is found at distance zero.
+// The origin of a ray that leaves the point in `direction`: moved off the surface by the error bound, to the
+// ray's side, so that no part of the surface is hit at distance zero.
 vec3 leave(SurfacePoint point, vec3 direction) {
   const float side = preciseDot(point.geometricNormal, direction) < 0.0 ? -1.0 : 1.0;
   return point.position + (side * point.error) * point.geometricNormal;

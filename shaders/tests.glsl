@@ -1,6 +1,7 @@
-// How many nodes and primitives rays are tested against: an inner node once for the boxes of all its
-// children. Only the pipeline whose view is of that counts. For all others kCountsTests is false wherever a
-// count is changed, so that nothing is left of it: on lavapipe their machine code is what it was without.
+// The number of nodes and primitives that rays are tested against; an inner node counts once for all its
+// children's boxes. Only the pipeline of the view that shows it counts. In all others kCountsTests is false
+// wherever a count would change, so that nothing of it is left: on lavapipe their machine code is the same as
+// without the counts.
 #ifndef TESTS_GLSL
 #define TESTS_GLSL
 

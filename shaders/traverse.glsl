@@ -1,22 +1,23 @@
-// The BVH's traversal.
+// The traversal of the BVH.
 #ifndef TRAVERSE_GLSL
 #define TRAVERSE_GLSL
 
 #include "hit.glsl"
 #include "node.glsl"
 
-const uint kNoReference = 0xFFFFFFFFu;  // of a node or a leaf
+const uint kNoReference = 0xFFFFFFFFu;  // to a node or a leaf
 
-// Finds the first primitive that the ray hits before hit.t, or any one of them if `anyHit`; not the one named
-// `skipped`. Searches the packed group `entry`, which is kRootGroup, or holds all that the ray can hit.
-// Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
+// Finds the nearest primitive that the ray hits before hit.t, or with `anyHit` any such primitive; never the
+// one named `skipped`. Searches below the packed group `entry`, which is kRootGroup or contains all that the
+// ray can hit. Returns false if the device ended the loops before the search was over (see
+// kMaxTraversalSteps).
 //
-// One turn of the inner loop takes the nearest child that waits and, if it is an inner node, finds which of
-// its children the ray enters; the loop ends at a leaf, or where nothing waits. A lane that has its leaf
-// waits for those of its subgroup that have not: so the tests of the leaves are done together.
+// Each iteration of the inner loop takes the nearest waiting child and, if that is an inner node, finds which
+// of its children the ray enters. The loop ends at a leaf, or when nothing waits. A lane that has found its
+// leaf waits for the other lanes of its subgroup, so that the leaves are tested together.
 //
-// Each exit that a device may force is told from a search that is over: by a reference to an inner node, a
-// leaf's primitives that are left, and `over`.
+// Wherever a device may force an exit, it can be told from a finished search: by a reference that is still to
+// an inner node, by primitives of the leaf that are left, and by `over`.
 bool traverse(const bool anyHit, Ray ray, uint skipped, uint entry, inout Hit hit, inout uint tests) {
   const RayConstants constants = rayConstants(ray);
   GroupStack stack;
@@ -27,8 +28,8 @@ bool traverse(const bool anyHit, Ray ray, uint skipped, uint entry, inout Hit hi
   do {
     uint reference = 0u;
     do {
-      // Always true, as the loop's condition says it too. But without it Mesa 22.3's llvmpipe computes
-      // `reference` anew in later turns for lanes that have left the loop.
+      // Always true, by the loop's own condition. But without it Mesa 22.3's llvmpipe recomputes `reference`
+      // in later iterations for lanes that have left the loop.
       if (steps < kMaxTraversalSteps) {
         const bool pop = group.count == 0u;
         if (pop) group = unpackGroup(stack.entries[0]);

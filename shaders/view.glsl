@@ -1,5 +1,5 @@
-// What an image shows in place of colours. The view is a specialization constant, so that a pipeline has the
-// code of one view only.
+// What an image shows in place of colours. The view is a specialization constant, so a pipeline has the code
+// of one view only.
 #ifndef VIEW_GLSL
 #define VIEW_GLSL
 
@@ -7,13 +7,13 @@
 #include "surface.glsl"
 #include "tests.glsl"
 
-// Whether the view is to be written as numbers, not shown.
+// Whether the view is written as numbers instead of being shown.
 layout(constant_id = kSpecAsData) const bool kAsData = false;
 
-// Whether the view is one of the surface alone, without lights.
+// Whether the view is of the surface alone, without lights.
 const bool kViewsSurface = kView == kViewNormal || kView == kViewDepth || kView == kViewObject;
 
-// So that a few of them can be added in float32.
+// Small enough for a few of them to be added in float32.
 const float kFarthest = 1e37;
 
 // One of 2^24 colours, none of them as dark as the background.
@@ -22,7 +22,7 @@ vec3 objectColor(uint object) {
   return 0.2 + 0.8 / 255.0 * vec3((uvec3(random) >> uvec3(0u, 8u, 16u)) & 255u);
 }
 
-// The depth comes with a 1, so that its sum over samples has their number: those that hit nothing have no
+// A depth comes with a 1, so that a sum over samples has their number: samples that hit nothing have no
 // depth.
 vec3 viewedSurface(Ray ray, Hit hit, SurfacePoint point) {
   if (kView == kViewNormal) return kAsData ? point.shadingNormal : 0.5 * point.shadingNormal + 0.5;

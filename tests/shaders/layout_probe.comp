@@ -1,5 +1,5 @@
-// Reads every struct that host and shaders share, field by field, and writes the fields out one after the
-// other: if the layouts agree, that is what the host has in memory.
+// Reads every struct that the host and the shaders share, field by field, and writes the fields one after the
+// other: if the layouts agree, the result is what the host has in memory.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -100,7 +100,7 @@ void putWork(inout uint end) {
   put(state.padding0, end);
 }
 
-// The second element of each array, so that the size of one is proved too.
+// Takes the second element of each array, so that the size of an element is checked too.
 void main() {
   uint end = 0u;
   putScene(end);

@@ -1,5 +1,5 @@
-// Makes the rays that the renderer traces from the points which given rays hit: the mirrored one and, for
-// each light, the shadow ray. In the order of the given rays; all that a ray has stand side by side.
+// Makes the rays that the renderer traces from the points that given rays hit: the mirrored ray and one
+// shadow ray per light. They are in the order of the given rays, and those of one ray are side by side.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

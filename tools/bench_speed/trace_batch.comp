@@ -1,7 +1,7 @@
 // Traces given rays with the renderer's own traversal.
 //
-// Rays are read through a texel buffer, as the scene is, so that reading them costs little; how little, the
-// mode kBatchNoTrace tells.
+// Rays are read through a texel buffer, as the scene is, so that reading them costs little; the mode
+// kBatchNoTrace measures how little.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,4 @@
-// The device's own arithmetic, and the renderer's functions that stand closest to it.
+// The device's own arithmetic, and the renderer's functions that are closest to it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,5 +1,4 @@
-// The colours that the renderer's paths have before they are clamped: a number that is none does not show
-// later.
+// The colours of the renderer's paths before they are clamped, which would hide a NaN.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

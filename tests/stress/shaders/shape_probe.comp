@@ -1,4 +1,4 @@
-// The distances that the renderer's own intersection functions return, one shape a ray.
+// The distances that the renderer's own intersection functions return, one shape per ray.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -25,7 +25,7 @@ float intersectBox(Ray ray, RayConstants constants, vec3 lower, vec3 upper, floa
     far[axis] = vec4(constants.negative[axis] ? lower[axis] : upper[axis]);
   }
   const vec4 entry = intersectBoxes(ray, constants, near, far, tMax);
-  return entry == entry.yzwx ? entry.x : -1.0;  // what no distance is, if the four differ
+  return entry == entry.yzwx ? entry.x : -1.0;  // -1, which is no distance, if the four differ
 }
 
 float intersectShape(Ray ray, ShapeQuery query) {

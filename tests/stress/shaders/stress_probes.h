@@ -27,9 +27,8 @@ struct ShapeQuery {
   uint padding2;
 };
 
-// A ray to find a point of a surface with; another one that leaves this point at the given elevation above
-// the surface (in radians, below it where negative) and azimuth; and a light, to ask whether the point is in
-// its shadow.
+// A ray that finds a point of a surface; the elevation (in radians, negative below the surface) and azimuth
+// of another that leaves this point; and a light, to ask whether the point is in its shadow.
 struct SurfaceQuery {
   vec3 origin;
   float elevation;

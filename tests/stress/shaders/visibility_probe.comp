@@ -16,7 +16,7 @@ layout(push_constant) uniform PushConstants {
   SurfaceConstants constants;
 };
 
-// A point in space is a surface's that is known without error and is not in the scene.
+// A point in space is taken for a point, known without error, of a surface that is not in the scene.
 bool isBlocked(vec3 from, vec3 to) {
   bool blocked;
   uint tests = 0u;
