@@ -1,6 +1,6 @@
-// lavaray-embed-shader NAME SPIRV HEADER [--unfinished]: a part of the build. Finishes a shader that glslang
+// lavaray-embed-shader NAME SPIRV HEADER [--unfinished]: a tool of the build. Finishes a shader that glslang
 // has compiled (exact_spirv.hpp) and writes a header that defines its words as `const uint32_t NAME[]`. With
-// --unfinished they are as glslang made them, for tests of what a shader says before it is optimized.
+// --unfinished it leaves them as glslang made them, for tests of a shader before it is marked and optimized.
 #include <cstdint>
 #include <cstdio>
 #include <exception>

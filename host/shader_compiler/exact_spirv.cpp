@@ -7,15 +7,14 @@
 #include <string>
 
 #include <spirv-tools/optimizer.hpp>
-#include <spirv/unified1/spirv.hpp>
+
+#include "shader_compiler/spirv_instructions.hpp"
 
 namespace lavaray {
 namespace {
 
-constexpr std::size_t kHeaderWords = 5;
-
-// The operations that NoContraction may decorate and that round: Khronos, "SPIR-V Specification",
-// version 1.5, from "Arithmetic Instructions".
+// The operations that round and that NoContraction may decorate: Khronos, "SPIR-V Specification",
+// version 1.5, "Arithmetic Instructions".
 bool isRounded(spv::Op code) {
   switch (code) {
     case spv::OpFAdd:
@@ -37,7 +36,7 @@ bool isRounded(spv::Op code) {
   }
 }
 
-// The sections of a module have a fixed order: decorations come before types, and these before functions.
+// A module's sections have a fixed order: decorations, then types, then functions.
 bool beginsDecorations(spv::Op code) {
   return code == spv::OpDecorate || code == spv::OpMemberDecorate || code == spv::OpTypeVoid;
 }
@@ -49,20 +48,13 @@ void appendDecoration(std::vector<std::uint32_t>& spirv, std::uint32_t id) {
 }
 
 std::vector<std::uint32_t> markExact(std::span<const std::uint32_t> spirv) {
-  if (spirv.size() < kHeaderWords || spirv[0] != spv::MagicNumber)
-    throw std::invalid_argument("this is no SPIR-V");
   std::vector<std::uint32_t> rounded;
   std::set<std::uint32_t> marked;
   std::optional<std::size_t> decorations;
-  for (std::size_t at = kHeaderWords; at < spirv.size();) {
-    const std::size_t words = spirv[at] >> spv::WordCountShift;
-    const auto code = static_cast<spv::Op>(spirv[at] & spv::OpCodeMask);
-    if (words == 0 || words > spirv.size() - at) throw std::invalid_argument("this SPIR-V is cut off");
-    if (!decorations && beginsDecorations(code)) decorations = at;
-    if (code == spv::OpDecorate && spirv[at + 2] == spv::DecorationNoContraction)
-      marked.insert(spirv[at + 1]);
-    if (isRounded(code)) rounded.push_back(spirv[at + 2]);  // the result follows its type
-    at += words;
+  for (const auto& [code, operands, position] : spirvInstructions(spirv)) {
+    if (!decorations && beginsDecorations(code)) decorations = position;
+    if (code == spv::OpDecorate && operands[1] == spv::DecorationNoContraction) marked.insert(operands[0]);
+    if (isRounded(code)) rounded.push_back(operands[1]);  // the result follows its type
   }
   if (!decorations) throw std::invalid_argument("this SPIR-V declares nothing");
   std::vector<std::uint32_t> exact(spirv.begin(), spirv.begin() + static_cast<std::ptrdiff_t>(*decorations));

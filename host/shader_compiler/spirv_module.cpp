@@ -1,16 +1,13 @@
 #include "shader_compiler/spirv_module.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <spirv-tools/libspirv.hpp>
 
 namespace lavaray {
 namespace {
 
-constexpr std::size_t kHeaderWords = 5;
-
-// Characters are packed four a word, the first one lowest, and end with a zero.
+// Characters are packed four to a word, the first in the lowest byte, and end with a zero.
 std::string text(std::span<const std::uint32_t> words) {
   std::string result;
   for (const std::uint32_t word : words) {
@@ -32,7 +29,7 @@ void readMember(std::span<const std::uint32_t> operands, SpirvModule& module) {
 }
 
 void readInstruction(const SpirvInstruction& instruction, SpirvModule& module) {
-  const auto& [code, operands] = instruction;
+  const auto& [code, operands, position] = instruction;
   if (code == spv::OpCapability) {
     module.capabilities.push_back(static_cast<spv::Capability>(operands[0]));
   } else if (code == spv::OpExecutionMode && operands[1] == spv::ExecutionModeLocalSize) {
@@ -45,7 +42,7 @@ void readInstruction(const SpirvInstruction& instruction, SpirvModule& module) {
   } else if (code == spv::OpMemberDecorate) {
     readMember(operands, module);
   } else if (code >= spv::OpTypeVoid && code <= spv::OpTypeFunction) {
-    module.types[operands[0]] = {code, operands.subspan(1)};
+    module.types[operands[0]] = {code, operands.subspan(1), position};
   } else if (code >= spv::OpConstantTrue && code <= spv::OpSpecConstantOp) {
     module.constants[operands[1]] = instruction;
   } else if (code == spv::OpVariable && operands[2] != spv::StorageClassFunction) {
@@ -67,7 +64,7 @@ std::optional<std::uint32_t> SpirvModule::decoration(std::uint32_t id, spv::Deco
 }
 
 std::optional<std::uint64_t> SpirvModule::sizeInBlock(std::uint32_t type, const SpirvMember& member) const {
-  const auto& [code, operands] = types.at(type);
+  const auto& [code, operands, position] = types.at(type);
   switch (code) {
     case spv::OpTypeInt:
     case spv::OpTypeFloat:
@@ -103,22 +100,13 @@ std::optional<std::uint64_t> SpirvModule::sizeInBlock(std::uint32_t type, const 
 }
 
 SpirvModule readSpirv(std::span<const std::uint32_t> words) {
-  if (words.size() < kHeaderWords || words[0] != spv::MagicNumber)
-    throw std::invalid_argument("no SPIR-V module");
   SpirvModule module;
-  for (std::size_t at = kHeaderWords; at < words.size();) {
-    const std::size_t count = words[at] >> spv::WordCountShift;
-    if (count == 0 || count > words.size() - at)
-      throw std::invalid_argument("a SPIR-V module that is cut off");
-    readInstruction({static_cast<spv::Op>(words[at] & spv::OpCodeMask), words.subspan(at + 1, count - 1)},
-                    module);
-    at += count;
-  }
+  for (const SpirvInstruction& instruction : spirvInstructions(words)) readInstruction(instruction, module);
   return module;
 }
 
 std::string capabilityName(spv::Capability capability) {
-  // The disassembler knows the names, and is all that has them in every version of the libraries.
+  // The disassembler is all that has the names in every version of the libraries.
   constexpr std::uint32_t kVersion = 0x00010500;
   constexpr std::uint32_t kWords = 2;
   const std::vector<std::uint32_t> module{

@@ -6,13 +6,13 @@
 
 namespace lavaray {
 
-// What a SPIR-V module says about its floating-point arithmetic. The numbers of instructions are from:
-// Khronos, "SPIR-V Specification", version 1.5, and "SPIR-V Extended Instructions for GLSL", version 1.00.
+// What a SPIR-V module says about its floating-point arithmetic.
 struct Arithmetic {
-  int exact = 0;                     // sums, differences, products and quotients that are NoContraction
-  int others = 0;                    // those that are not
-  int products = 0;                  // of vectors and matrices, whose order of adding is the driver's choice
-  std::set<std::uint32_t> builtIns;  // of GLSL.std.450, by number
+  int exact = 0;     // sums, differences, products and quotients that are NoContraction
+  int others = 0;    // those that are not
+  int products = 0;  // of vectors and matrices, whose order of adding is the driver's choice
+  // By number: Khronos, "SPIR-V Extended Instructions for GLSL", version 1.00 (GLSL.std.450).
+  std::set<std::uint32_t> builtIns;
 };
 
 // Throws std::invalid_argument where these words are no module.
