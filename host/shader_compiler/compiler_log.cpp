@@ -24,7 +24,7 @@ std::optional<std::size_t> number(std::string_view digits) {
   return value;
 }
 
-// A terminal must not take a stray byte of a source for a command.
+// So that a terminal takes no stray byte of a source for a command.
 std::string printable(std::string_view text) {
   std::string result(trim(text));
   for (char& c : result) {
@@ -39,8 +39,8 @@ bool takePrefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-// Takes `SOURCE:LINE: ` off the text, if it begins so.
-void takePlace(std::string_view& text, CompilerMessage& message) {
+// Takes `SOURCE:LINE: ` off the text where it begins with that.
+void takeLocation(std::string_view& text, CompilerMessage& message) {
   for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
        colon = text.find(':', colon + 1)) {
     const std::size_t end = std::min(text.find_first_not_of(kDigits, colon + 1), text.size());
@@ -53,7 +53,7 @@ void takePlace(std::string_view& text, CompilerMessage& message) {
   }
 }
 
-// glslang writes `'token' : message`, with an empty token where there is none.
+// Rewrites glslang's `'token' : message`, whose token is empty where there is none.
 std::string sentence(std::string_view text) {
   constexpr std::string_view kEndOfToken = "' : ";
   const std::size_t end = text.find(kEndOfToken, 1);
@@ -85,7 +85,7 @@ std::optional<CompilerMessage> readMessage(std::string_view line) {
     return std::nullopt;
   }
   if (isFollowUp(line)) return std::nullopt;
-  takePlace(line, message);
+  takeLocation(line, message);
   takePrefix(line, "Linking compute stage: ");
   message.text = sentence(line);
   return message;
@@ -99,7 +99,7 @@ std::vector<CompilerMessage> readCompilerLog(std::string_view log) {
   while (lines.next()) {
     const std::string_view line = lines.line();
     if (line.starts_with(' ') && !messages.empty() && messages.back().source.empty()) {
-      // The functions that the linker's message is about, as `name(types; calling name(types;`.
+      // The functions that the linker's message is about, written `name(types; calling name(types;`.
       const std::string_view functions = trim(line);
       messages.back().function = functions.substr(0, functions.find('('));
       messages.back().text += " " + messages.back().function;
@@ -115,24 +115,24 @@ std::vector<CompilerMessage> readCompilerLog(std::string_view log) {
   return messages;
 }
 
-PreprocessedPlace findWord(std::string_view preprocessed, std::string_view word) {
-  PreprocessedPlace place{{}, 1};
+PreprocessedLocation findWord(std::string_view preprocessed, std::string_view word) {
+  PreprocessedLocation location{{}, 1};
   Lines lines(preprocessed);
   while (lines.next()) {
     std::string_view line = lines.line();
     if (takePrefix(line, "#line ")) {
-      place.line = number(takeWord(line)).value_or(1);
+      location.line = number(takeWord(line)).value_or(1);
       line = trim(line);
-      if (line.size() >= 2) place.source = line.substr(1, line.size() - 2);
+      if (line.size() >= 2) location.source = line.substr(1, line.size() - 2);
       continue;
     }
     for (std::size_t at = line.find(word); at != std::string_view::npos; at = line.find(word, at + 1)) {
       const std::size_t end = at + word.size();
       const bool isBegun = at > 0 && isWordCharacter(line[at - 1]);
       const bool goesOn = isWordCharacter(word.back()) && end < line.size() && isWordCharacter(line[end]);
-      if (!isBegun && !goesOn) return place;
+      if (!isBegun && !goesOn) return location;
     }
-    ++place.line;
+    ++location.line;
   }
   return {{}, 1};
 }

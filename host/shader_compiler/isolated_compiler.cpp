@@ -16,7 +16,7 @@
 namespace lavaray {
 namespace {
 
-// What the compiling process sends: records of a kind, a size and so many bytes.
+// The compiling process sends records: a kind, a size and that many bytes.
 enum class Kind : std::uint8_t { kFile, kWarning, kSpirv, kError };
 
 struct Head {
@@ -32,7 +32,7 @@ void sendRecord(const IsolatedWork::Send& send, Kind kind, std::string_view byte
   send(bytes);
 }
 
-// Empty at the end, and where the process ended in the middle of a record.
+// Empty at the end, or where the process ended in the middle of a record.
 std::optional<std::pair<Kind, std::string_view>> takeRecord(std::string_view& bytes) {
   Head head{};
   if (bytes.size() < sizeof head) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<std::pair<Kind, std::string_view>> takeRecord(std::string_view& by
   return std::pair{head.kind, content};
 }
 
-// The request is the directory, after a character that says for which scenes.
+// The request is a character that says for which scenes, followed by the directory.
 std::string request(const std::filesystem::path& directory, bool forFewPrimitives) {
   return (forFewPrimitives ? "f" : "a") + directory.native();
 }
@@ -64,9 +64,9 @@ void compileRequested(const std::string& request, const IsolatedWork::Send& send
   }
 }
 
-// A new process has no memory that was used before: each small page of the some 30 MB for a shader would be a
-// fault, and these take a tenth of the time for compiling it. So its heap begins with memory that nobody has
-// touched yet and for which huge pages are asked; where that is refused, it does without.
+// A new process has no pages that were used before. A shader takes some 30 MB, whose page faults with small
+// pages are a tenth of the time of compiling it. So the heap begins with untouched memory for which huge
+// pages are requested; where that is refused, small pages do.
 void prepare() {
   prepareCompiler();
   constexpr std::size_t kHeap = std::size_t{48} << 20U;

@@ -7,13 +7,13 @@
 
 namespace lavaray {
 
-// Compiles each shader in a process of its own, so that a compiler that ends the process is a ShaderError.
-// (Valid shaders with which glslang 12.0 or 16.6 do so are known.) To be made by the main thread before there
-// are others.
+// Compiles each shader in a process of its own, so that a crash of the compiler becomes a ShaderError. (Valid
+// shaders are known on which glslang 12.0 or 16.6 crash.) The main thread has to construct it before it
+// starts other threads.
 class IsolatedCompiler {
  public:
   IsolatedCompiler();
-  // As compileRenderShader, but from one thread at a time.
+  // As compileRenderShader, but for one thread at a time.
   CompiledShader compile(const std::filesystem::path& directory, bool forFewPrimitives);
 
  private:

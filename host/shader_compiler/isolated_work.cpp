@@ -21,7 +21,7 @@
 namespace lavaray {
 namespace {
 
-// Exit codes. Not 0, since work that ends its process may call that a success.
+// Exit codes; not 0, since work that ends its process may call that a success.
 constexpr int kFinished = 40;
 constexpr int kNoMemory = 41;
 constexpr int kException = 42;
@@ -36,7 +36,7 @@ bool connect(Sockets& ends) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-// Whether all of it was sent, or received; not where the other end is gone.
+// These two return whether all was sent or received; false where the other end is gone.
 bool sendAll(int socket, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -96,8 +96,8 @@ std::string waitFor(pid_t process) {
   return code == kFinished ? "" : code == kNoMemory ? "out of memory" : "it gave up";
 }
 
-// As fork(). The child ends with its parent, and not with a Ctrl-C, of which the program hears, too, and
-// which may want to write what it has.
+// As fork(). The child ends with its parent but not with a Ctrl-C: that reaches the program, too, which may
+// want to write what it has.
 pid_t forkChild() {
   sigset_t all;
   sigset_t before;
@@ -108,7 +108,7 @@ pid_t forkChild() {
   const int reason = errno;
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(kException);  // It has ended before it was said that it would.
+    if (getppid() != parent) _exit(kException);  // the parent ended before the line above
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
     for (const int signal : {SIGBUS, SIGXFSZ, SIGCHLD}) std::signal(signal, SIG_DFL);
   }
@@ -188,7 +188,7 @@ IsolatedWork::IsolatedWork(const std::function<void()>& prepare, const Work& wor
 }
 
 IsolatedWork::~IsolatedWork() {
-  shutdown(socket_, SHUT_RDWR);  // Closing is not enough, where another process has the socket, too.
+  shutdown(socket_, SHUT_RDWR);  // Closing is not enough where another process has the socket, too.
   close(socket_);
   if (server_ > 0) waitFor(server_);
 }

@@ -12,8 +12,9 @@
 #include "shader_compiler/shader_interface.hpp"
 #include "shader_compiler/shader_sources.hpp"
 
-// What the start of the program would have called for glslang's static objects (see CMakeLists.txt). The
-// linker makes these two names of the section's, and leaves them null where there is none.
+// The initializers of glslang's static objects, which the program's start-up would have called (see
+// CMakeLists.txt). The linker derives these two names from the section's, and leaves them null where there is
+// none.
 using Initializer = void (*)();
 extern "C" {
 [[gnu::weak, gnu::visibility("hidden")]] extern const Initializer __start_lavaray_glslang_start[];
@@ -28,7 +29,7 @@ constexpr const char* kInterface = "interface.h";
 constexpr const char* kOtherInterface =
     "differs from the interface that the program was built with: build the program anew to change it";
 
-// As glslangValidator has them where a source has no #version.
+// As glslangValidator has them for a source without #version.
 constexpr int kDefaultVersion = 100;
 constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
@@ -49,7 +50,7 @@ class CompilerProcess {
   ~CompilerProcess() { glslang::FinalizeProcess(); }
 };
 
-// The compiler knows a source by its number: unlike a path it can hold no quote or colon that would spoil the
+// The compiler knows a source by its number: unlike a path, that has no quote or colon, which would spoil the
 // log.
 std::string sourceName(std::size_t source) {
   return "#" + std::to_string(source);
@@ -69,7 +70,7 @@ class Includer : public glslang::TShader::Includer {
     return new IncludeResult(sourceName(number), text.data(), text.size(), nullptr);
   }
 
-  // Asked for `#include <...>`, and where includeLocal found nothing.
+  // Called for `#include <...>`, and where includeLocal found nothing.
   IncludeResult* includeSystem(const char* /*header*/, const char* /*includer*/,
                                std::size_t /*depth*/) override {
     message_ = failure_.empty() ? "allowed are includes in double quotes" : std::exchange(failure_, {});
@@ -84,7 +85,7 @@ class Includer : public glslang::TShader::Includer {
   std::string message_;  // that the compiler reads from
 };
 
-// One run of the compiler over the sources. The program goes before the shader, whose memory it uses.
+// One run of the compiler over the sources. The program is destroyed before the shader, whose memory it uses.
 class Compilation {
  public:
   Compilation(ShaderSources& sources, bool forFewPrimitives) : includer_(sources) {
@@ -112,7 +113,7 @@ class Compilation {
   }
   std::string log() { return std::string(shader_.getInfoLog()) + "\n" + program_.getInfoLog(); }
 
-  // What the shader says word for word, as glslangValidator does without options.
+  // A word-for-word translation of the shader, as glslangValidator makes without options.
   std::vector<std::uint32_t> generate() {
     glslang::SpvOptions options;
     options.disableOptimizer = true;
@@ -131,7 +132,7 @@ class Compilation {
   glslang::TProgram program_;
 };
 
-// The compilation's answer in the user's terms: files and lines in place of the compiler's names.
+// What is wrong, in the user's terms: with files and lines in place of the compiler's names.
 class Complaints {
  public:
   Complaints(ShaderSources& sources, bool forFewPrimitives)
@@ -143,20 +144,22 @@ class Complaints {
   void addAll(const std::vector<std::string>& lines) {
     for (const std::string& line : lines) add(line);
   }
-  void add(const Misfit& misfit) { add(placed(findDeclaration(misfit.word), misfit.message)); }
+  void add(const Misfit& misfit) { add(located(findDeclaration(misfit.word), misfit.message)); }
   void add(const CompilerMessage& message) {
-    PreprocessedPlace place{message.source, message.line};
-    if (place.source.empty() && !message.function.empty()) place = findDeclaration(message.function + "(");
-    add(placed(place, message.text));
+    PreprocessedLocation location{message.source, message.line};
+    if (location.source.empty() && !message.function.empty())
+      location = findDeclaration(message.function + "(");
+    add(located(location, message.text));
   }
-  [[nodiscard]] std::string placed(const PreprocessedPlace& place, const std::string& message) const {
+  [[nodiscard]] std::string located(const PreprocessedLocation& location, const std::string& message) const {
     for (std::size_t i = 0; i < sources_.sources().size(); ++i) {
-      if (place.source == sourceName(i)) return messageAt({sources_.sources()[i].path, place.line}, message);
+      if (location.source == sourceName(i))
+        return messageAt({sources_.sources()[i].path, location.line}, message);
     }
-    // A #line of the source's own, or none.
+    // The source's own #line, or none.
     const std::filesystem::path file =
-        place.source.empty() ? sources_.sources()[0].path : std::filesystem::path(place.source);
-    return messageAt({file, place.line}, message);
+        location.source.empty() ? sources_.sources()[0].path : std::filesystem::path(location.source);
+    return messageAt({file, location.line}, message);
   }
 
   void throwIfAny() const {
@@ -167,7 +170,7 @@ class Complaints {
   }
 
  private:
-  PreprocessedPlace findDeclaration(const std::string& word) {
+  PreprocessedLocation findDeclaration(const std::string& word) {
     if (word.empty()) return {{}, 1};
     if (!preprocessed_) preprocessed_ = Compilation(sources_, forFewPrimitives_).preprocess();
     return findWord(*preprocessed_, word);
@@ -179,7 +182,7 @@ class Complaints {
   std::optional<std::string> preprocessed_;
 };
 
-// Why this is no SPIR-V that a driver must accept, which most do not look at; empty where it is.
+// Why a driver need not accept this SPIR-V, which most drivers do not check; empty where it must.
 std::string validate(const std::vector<std::uint32_t>& spirv) {
   std::string reason = "no reason given";
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
@@ -207,7 +210,7 @@ CompiledShader compileRenderShader(const std::filesystem::path& directory, bool 
 
   Compilation compilation(sources, forFewPrimitives);
   const bool isParsed = compilation.parse();
-  // Before the compiler's messages, which may only follow from these.
+  // Checked before the compiler's messages, which may merely follow from this.
   const ShaderSource& interface = sources.sources()[1];
   if (const auto line = firstDifference(interface.text)) {
     complaints.add(messageAt({interface.path, *line}, kOtherInterface));
@@ -220,21 +223,21 @@ CompiledShader compileRenderShader(const std::filesystem::path& directory, bool 
   std::vector<std::string> warnings;
   for (const CompilerMessage& message : readCompilerLog(compilation.log())) {
     if (!message.isError) {
-      warnings.push_back(complaints.placed({message.source, message.line}, message.text));
+      warnings.push_back(complaints.located({message.source, message.line}, message.text));
       continue;
     }
     complaints.add(message);
-    // The parser goes no further than its first error, and what it says after that follows from it.
+    // The parser stops at its first error, and what it says after that follows from it.
     if (!isParsed) break;
   }
   complaints.throwIfAny();
-  if (!isLinked) complaints.add(complaints.placed({}, "does not compile, and the compiler gives no reason"));
+  if (!isLinked) complaints.add(complaints.located({}, "does not compile, and the compiler gives no reason"));
   complaints.throwIfAny();
 
   const std::vector<std::uint32_t> written = compilation.generate();
   std::vector<std::uint32_t> spirv = finishShader(written);
   if (const std::string reason = validate(spirv); !reason.empty())
-    complaints.add(complaints.placed({}, "the compiler makes SPIR-V of it that is not valid: " + reason));
+    complaints.add(complaints.located({}, "the compiler makes SPIR-V of it that is not valid: " + reason));
   complaints.throwIfAny();
   for (const Misfit& misfit : findMisfits(written, spirv)) complaints.add(misfit);
   complaints.throwIfAny();

@@ -18,30 +18,30 @@ struct CompiledShader {
   std::vector<std::string> warnings;  // `file:line: message`
 };
 
-// A shader that cannot be used. The message has a line `file:line: message` for each thing that is wrong with
-// it
-// (`file: message` where that is the file as a whole), and no line twice.
+// A shader that cannot be used. The message has one line `file:line: message` for each fault (`file: message`
+// for one of the file as a whole), and no line twice.
 class ShaderError : public Error {
  public:
   ShaderError(const std::string& message, std::vector<std::filesystem::path> files)
       : Error(ExitCode::kInput, message), files_(std::move(files)) {}
-  // What was read, and what was looked for and is not there: a change of one of them may mend the shader.
+  // The files that were read or looked for in vain: a change to one of them may mend the shader.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
   std::vector<std::filesystem::path> files_;
 };
 
-// Compiles `directory`/render.comp to the SPIR-V that the build makes of it, for a scene of few primitives or
-// for any (see scene_data.glsl), and checks that it fits the program. Throws ShaderError where it does not
-// compile or fit. `onFile` is told of each file when it is looked for. May be called from any thread.
+// Compiles `directory`/render.comp to the SPIR-V that the build would make of it, for a scene of few
+// primitives or for any scene (see scene_data.glsl), and checks that it fits the program. Throws ShaderError
+// where it does not compile or fit. Calls `onFile` for each file when it is looked for. May be called from
+// any thread.
 //
-// The compiler has defects with which it ends the process; see IsolatedCompiler.
+// The compiler has defects that end the process; see IsolatedCompiler.
 CompiledShader compileRenderShader(
     const std::filesystem::path& directory, bool forFewPrimitives,
     const std::function<void(const std::filesystem::path&)>& onFile = [](const std::filesystem::path&) {});
 
-// Makes the compiler's tables, which the first compilation does otherwise.
+// Makes the compiler's tables, as the first compilation does otherwise.
 void prepareCompiler();
 
 }  // namespace lavaray

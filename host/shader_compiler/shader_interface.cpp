@@ -11,8 +11,8 @@
 namespace lavaray {
 namespace {
 
-// What every Vulkan 1.2 device has without being asked, and the operations of subgroups, which the devices
-// that lack some of them still have none of under another name.
+// The capabilities that every Vulkan 1.2 device has without being asked, and those of subgroup operations: a
+// device that lacks some of these has no other name for them either.
 constexpr std::array kCapabilities{
     spv::CapabilityShader,
     spv::CapabilityMatrix,
@@ -49,14 +49,14 @@ class Comparison {
   }
 
  private:
-  // Where a variable is bound; the numbers by which a module refers to it are its own.
-  static auto place(const SpirvModule& module, std::uint32_t id, const SpirvInstruction& variable) {
+  // Where a variable is bound. That identifies it in two modules, whose ids differ.
+  static auto bindingOf(const SpirvModule& module, std::uint32_t id, const SpirvInstruction& variable) {
     return std::tuple{variable.operands[2], module.decoration(id, spv::DecorationDescriptorSet),
                       module.decoration(id, spv::DecorationBinding)};
   }
   [[nodiscard]] bool isLeft(std::uint32_t id, const SpirvInstruction& variable) const {
     return std::ranges::any_of(optimized_.variables, [&](const auto& other) {
-      return place(optimized_, other.first, other.second) == place(module_, id, variable);
+      return bindingOf(optimized_, other.first, other.second) == bindingOf(module_, id, variable);
     });
   }
   [[nodiscard]] bool isSpecializationLeft(std::uint32_t number) const {
@@ -86,7 +86,7 @@ class Comparison {
     const std::uint32_t type =
         module_.types.at(variable.operands[0]).operands[1];  // that the pointer points to
     const bool isStruct = module_.types.at(type).code == spv::OpTypeStruct;
-    // A block's name is that of its type, also where there are several.
+    // A block is named by its type, also in an array of blocks.
     const std::uint32_t element =
         module_.types.at(type).code == spv::OpTypeArray ? module_.types.at(type).operands[0] : type;
     const std::string name = module_.name(module_.types.at(element).code == spv::OpTypeStruct ? element : id);
@@ -115,7 +115,7 @@ class Comparison {
     }
   }
 
-  // A buffer of unsigned integers that is only read, with or without a sampler that it has no use for.
+  // Whether it is a read-only buffer of unsigned integers, with or without a sampler, which it would not use.
   [[nodiscard]] bool isTexelBuffer(std::uint32_t type) const {
     const SpirvInstruction* image = &module_.types.at(type);
     if (image->code == spv::OpTypeSampledImage) image = &module_.types.at(image->operands[0]);

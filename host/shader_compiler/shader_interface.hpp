@@ -13,18 +13,19 @@ namespace lavaray {
 // The bytes of shaders/interface.h that this program was built with.
 std::string_view builtInInterface();
 
-// The first line, from 1, at which this interface.h is not the program's; empty where it is.
+// The first line, from 1, at which this interface.h differs from the program's; empty where none does.
 std::optional<std::size_t> firstDifference(std::string_view interface);
 
-// Something in a shader that the host has no counterpart for.
+// Something in a shader that has no counterpart in the host.
 struct Misfit {
-  std::string word;  // what stands in the source where it is declared
+  std::string word;  // that the source has where it is declared
   std::string message;
 };
 
-// Compares what a valid compute shader asks for with what the host gives it: bindings, push constants, local
-// size, specialization constants, features of the device. Only what the optimizer leaves counts, as a shader
-// may declare what it does not use; but as it is written, since some optimizers make what is left smaller.
+// Compares what a valid compute shader asks for with what the host provides: bindings, push constants, local
+// size, specialization constants and features of the device. Only what the optimizer leaves counts, since a
+// shader may declare what it does not use; but it counts as written, since some optimizers shrink what they
+// leave.
 std::vector<Misfit> findMisfits(std::span<const std::uint32_t> written,
                                 std::span<const std::uint32_t> optimized);
 

@@ -12,8 +12,8 @@
 namespace lavaray {
 namespace {
 
-// Bounds that files without include guards run into, where they include each other; the second is for those
-// that do so twice each, whose number doubles with every level.
+// Bounds for files without include guards that include each other. The second is for files that do so twice
+// each, whose number doubles with every level.
 constexpr std::size_t kMaxIncludeDepth = 32;
 constexpr std::size_t kMaxIncludes = 1000;
 
@@ -46,7 +46,7 @@ std::size_t ShaderSources::include(std::string_view header, std::size_t depth) {
   }
   openFolders_.resize(depth);
   for (std::size_t i = depth; i-- > 0;) {
-    // An include is relative even where it begins with a slash.
+    // An include is relative even if it begins with a slash.
     const std::filesystem::path file = openFolders_[i] / std::filesystem::path(header).relative_path();
     std::string reason;
     const std::size_t source = read(file, reason);
@@ -78,7 +78,7 @@ std::size_t ShaderSources::read(const std::filesystem::path& file, std::string& 
     reason = error.message();
     return kNone;
   }
-  // Not a pipe, say, whose end never comes.
+  // Not a pipe, say, which may never end.
   if (!std::filesystem::is_regular_file(status)) {
     reason = "it is no regular file";
     return kNone;
