@@ -232,8 +232,8 @@ struct WorkResult {
 LAVARAY_SIZE(WorkResult, 16);
 
 // How far an unfinished work item has come: its finished samples with their sums and, for the sample under
-// way, the path's colour so far, the next bounce, the next step of that bounce (0 is the ambient colour, i +
-// 1 is light i) and the tests so far (see tests.glsl).
+// way, the path's colour so far, the next bounce, the next step of that bounce (the ambient colour is step 0,
+// light i is step i + 1) and the tests so far (see tests.glsl).
 struct WorkState {
   vec3 sum;
   uint taken;  // samples

@@ -21,7 +21,7 @@ bool followSegment(inout Segment segment, uint bounce, PathSettings settings, in
   Hit hit = missUpTo(kInfinity);
   uint tests = 0u;
   if (!findHit(false, segment.ray, segment.skipped, segment.entry, hit, tests)) return false;
-  // When a path is traced again, they have been added already.
+  // When a path is traced again, its tests have been added already.
   const bool isNew = !kResumable || (bounce == state.bounce && state.step == 0u);
   if (kCountsTests && isNew) state.tests += tests;
   if (hit.surface == kNoSurface) return true;

@@ -36,9 +36,9 @@ uint scramble(uint x, uint seed) {
   return bitfieldReverse(scrambleReversed(bitfieldReverse(x), seed));
 }
 
-// The second Sobol dimension at an index. Its generator matrix is Pascal's triangle modulo 2, whose entry (i,
-// j) is 1 where the bits of i are among those of j. So the product takes five steps, one for each bit of a
-// bit's number.
+// The second Sobol dimension at an index. Its generator matrix is Pascal's triangle modulo 2: row i has a 1
+// in column j where the bits of i are among those of j. So the product takes five steps, one for each bit of
+// a bit's number.
 uint sobolSecond(uint index) {
   index ^= (index & 0xAAAAAAAAu) >> 1;
   index ^= (index & 0xCCCCCCCCu) >> 2;

@@ -53,7 +53,7 @@ float shadowRayEnd(vec3 origin, vec3 light, vec3 direction) {
   return 1.0 - 2.0 * kPositionUlps * kHalfUlp * magnitude / maxComponent(abs(direction));
 }
 
-// Sets `blocked` to whether a surface other than `surface`, which has the point, lies between the point and a
+// Sets `blocked` to whether a surface other than `surface`, on which the point lies, is between it and a
 // point of the light. Returns false if the device ended the search early.
 bool findShadow(SurfacePoint point, uint surface, vec3 light, out bool blocked, inout uint tests) {
   blocked = false;

@@ -1,3 +1,6 @@
+#include <cstdint>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -7,6 +10,7 @@
 
 #include "interface.h"
 #include "shader_compiler/shader_interface.hpp"
+#include "shader_compiler/spirv_instructions.hpp"
 #include "shader_folder.hpp"
 
 namespace lavaray {
@@ -164,6 +168,25 @@ std::vector<std::uint32_t> moduleWithPushConstants(int count) {
   EXPECT_TRUE(tools.Assemble(text, &spirv));
   EXPECT_TRUE(tools.Validate(spirv));
   return spirv;
+}
+
+TEST(SpirvInstructions, AreReadOfWholeModulesOnly) {
+  const std::vector<std::uint32_t> module = moduleWithPushConstants(1);
+  const std::vector<SpirvInstruction> instructions = spirvInstructions(module);
+  ASSERT_FALSE(instructions.empty());
+  EXPECT_EQ(instructions.front().code, spv::OpCapability);
+  EXPECT_EQ(instructions.back().code, spv::OpFunctionEnd);
+  EXPECT_EQ(instructions.back().position, module.size() - 1);
+
+  const std::span words(module);
+  EXPECT_THROW(spirvInstructions({}), std::invalid_argument);
+  EXPECT_THROW(spirvInstructions(words.subspan(1)), std::invalid_argument);
+  std::vector<std::uint32_t> endless = module;
+  endless.back() = spv::OpFunctionEnd;  // of no words
+  EXPECT_THROW(spirvInstructions(endless), std::invalid_argument);
+  std::vector<std::uint32_t> cutOff = module;
+  cutOff.back() = 2U << spv::WordCountShift | spv::OpFunctionEnd;
+  EXPECT_THROW(spirvInstructions(cutOff), std::invalid_argument);
 }
 
 // As spirv-opt of 2026 does with members that are not used.

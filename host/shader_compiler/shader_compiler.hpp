@@ -13,8 +13,8 @@ namespace lavaray {
 
 struct CompiledShader {
   std::vector<std::uint32_t> spirv;
-  std::vector<std::filesystem::path>
-      files;                          // interface.h, the source and its includes, as `directory / name`
+  // interface.h, the source and its includes, as `directory / name`.
+  std::vector<std::filesystem::path> files;
   std::vector<std::string> warnings;  // `file:line: message`
 };
 
