@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every way in which the programs fail that can be brought about from outside: the exit code says what kind it is, and
 # the message is for a user, without names from the source, the C++ library or Vulkan, and without numbers for reasons.
+# Only where a Vulkan call fails does the name of its result stand behind the reason.
 # Called with the folders of the programs, the scenes, the fuzzers' corpus and the shaders, and a scratch folder, which it
 # makes anew.
 set -u
@@ -40,6 +41,7 @@ fails() {
   [ -n "$name" ] || complain "$*: no line that begins with the program's name"
   # But for what the user wrote, which is quoted.
   sed 's/"[^"]*"/""/g' stderr >unquoted
+  [ "$actual" -eq 4 ] && sed -i -E 's/([a-z?]) \(VK_[A-Z_]+\)/\1/' unquoted
   if grep -aqE -- "$foreign" unquoted; then complain "$*: not in a user's words: $(grep -aoE -- "$foreign" unquoted)"; fi
   if grep -aq '[[:cntrl:]]' stderr; then complain "$*: control characters"; fi
   if grep -aqE '.{600}' stderr; then complain "$*: a line without end"; fi

@@ -9,17 +9,23 @@ find_package(VulkanHeaders REQUIRED)
 add_library(faulty_driver MODULE faulty_driver.cpp)
 add_library(needed_by_driver SHARED needed_by_driver.cpp)
 add_library(needy_driver MODULE needy_driver.cpp)
+add_library(failing_driver MODULE failing_driver.cpp)
 target_link_libraries(faulty_driver PRIVATE lavaray_options Vulkan::Headers ${CMAKE_DL_LIBS})
+target_link_libraries(failing_driver PRIVATE lavaray_options Vulkan::Headers ${CMAKE_DL_LIBS})
 target_link_libraries(needed_by_driver PRIVATE lavaray_options)
 target_link_libraries(needy_driver PRIVATE lavaray_options needed_by_driver)
 # The test loads copies of them, far from what they need.
-set_target_properties(faulty_driver needed_by_driver needy_driver PROPERTIES SKIP_BUILD_RPATH ON
+set_target_properties(failing_driver faulty_driver needed_by_driver needy_driver PROPERTIES SKIP_BUILD_RPATH ON
                       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/drivers)
 
 set(no_device_test ${CMAKE_CURRENT_SOURCE_DIR}/no_device_test.py ${programs} ${PROJECT_SOURCE_DIR}/scenes
                    $<TARGET_FILE:faulty_driver> $<TARGET_FILE:needy_driver> $<TARGET_FILE:needed_by_driver>)
 add_test(NAME no-device COMMAND ${no_device_test} ${CMAKE_CURRENT_BINARY_DIR}/no-device)
-list(APPEND program_tests no-device)
+# And where there is one, of which a function fails.
+add_test(NAME failing-calls COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/failing_calls_test.py ${programs}
+         ${PROJECT_SOURCE_DIR}/scenes $<TARGET_FILE:failing_driver> ${CMAKE_CURRENT_BINARY_DIR}/failing-calls)
+set_tests_properties(failing-calls PROPERTIES SKIP_RETURN_CODE 77)
+list(APPEND program_tests no-device failing-calls)
 if(NOT LAVARAY_LOADERS)
   # For ctest to name it among the tests that did not run.
   add_test(NAME no-device-other-loaders COMMAND ${CMAKE_COMMAND} -E false)

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/huge_pages.hpp"
+#include "vulkan/result.hpp"
 
 namespace lavaray::vulkan {
 namespace {
@@ -124,7 +125,7 @@ void Buffer::createView(const std::string& name) {
   info.range = VK_WHOLE_SIZE;
   VkBufferView view = VK_NULL_HANDLE;
   check(vkCreateBufferView(device_->get(), &info, nullptr, &view),
-        "make the " + name + " readable for the shader");
+        "make a view of the " + name + " (" + inMegabytes(size_) + ") for the shader");
   view_ = {device_->get(), view};
 }
 

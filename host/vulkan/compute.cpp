@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "vulkan/result.hpp"
+
 namespace lavaray::vulkan {
 namespace {
-
-constexpr const char* kBinding = "give the shader its data";  // for messages
 
 VkDescriptorType descriptorType(const Buffer& buffer) {
   return buffer.use() == BufferUse::kTexels ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
@@ -26,6 +26,7 @@ ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spir
 
 void ComputeShader::createSet(std::span<const Buffer> buffers) {
   const auto count = static_cast<std::uint32_t>(buffers.size());
+  const std::string what = "for the shader's " + std::to_string(count) + " buffers";
   std::vector<VkDescriptorPoolSize> sizes;
   for (const Buffer& buffer : buffers) sizes.push_back({descriptorType(buffer), 1});
   VkDescriptorPoolCreateInfo poolInfo{};
@@ -34,7 +35,7 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   poolInfo.poolSizeCount = count;
   poolInfo.pPoolSizes = sizes.data();
   VkDescriptorPool pool = VK_NULL_HANDLE;
-  check(vkCreateDescriptorPool(device_->get(), &poolInfo, nullptr, &pool), kBinding);
+  check(vkCreateDescriptorPool(device_->get(), &poolInfo, nullptr, &pool), "make a descriptor pool " + what);
   pool_ = {device_->get(), pool};
 
   const VkDescriptorSetLayout layout = pipeline_->setLayout();
@@ -43,7 +44,7 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   setInfo.descriptorPool = pool;
   setInfo.descriptorSetCount = 1;
   setInfo.pSetLayouts = &layout;
-  check(vkAllocateDescriptorSets(device_->get(), &setInfo, &set_), kBinding);
+  check(vkAllocateDescriptorSets(device_->get(), &setInfo, &set_), "make a descriptor set " + what);
 
   std::vector<VkDescriptorBufferInfo> ranges(count);
   std::vector<VkBufferView> views(count);

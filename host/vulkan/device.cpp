@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "vulkan/result.hpp"
+
 namespace lavaray::vulkan {
 namespace {
 
@@ -49,13 +51,13 @@ Device::Device(const DeviceDescription& description) : description_(description)
   device_ = createDevice(description, family);
   vkGetDeviceQueue(device_, family, 0, &queue_);
 
-  const std::string action = "prepare " + description.name + " for work";
   VkCommandPoolCreateInfo poolInfo{};
   poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
   poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   poolInfo.queueFamilyIndex = family;
   VkCommandPool pool = VK_NULL_HANDLE;
-  check(vkCreateCommandPool(device_, &poolInfo, nullptr, &pool), action);
+  check(vkCreateCommandPool(device_, &poolInfo, nullptr, &pool),
+        "make a command pool for " + description.name);
   pool_ = {device_, pool};
 
   VkCommandBufferAllocateInfo bufferInfo{};
@@ -63,12 +65,13 @@ Device::Device(const DeviceDescription& description) : description_(description)
   bufferInfo.commandPool = pool;
   bufferInfo.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   bufferInfo.commandBufferCount = 1;
-  check(vkAllocateCommandBuffers(device_, &bufferInfo, &commands_), action);
+  check(vkAllocateCommandBuffers(device_, &bufferInfo, &commands_),
+        "make a command buffer for " + description.name);
 
   VkFenceCreateInfo fenceInfo{};
   fenceInfo.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   VkFence fence = VK_NULL_HANDLE;
-  check(vkCreateFence(device_, &fenceInfo, nullptr, &fence), action);
+  check(vkCreateFence(device_, &fenceInfo, nullptr, &fence), "make a fence for " + description.name);
   fence_ = {device_, fence};
   pipelines_.emplace(device_);
 }
@@ -85,18 +88,18 @@ void Device::submit(const std::function<void(VkCommandBuffer)>& record) {
   VkCommandBufferBeginInfo begin{};
   begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(commands_, &begin), "prepare work for the device");
+  check(vkBeginCommandBuffer(commands_, &begin), "begin the command buffer of " + description_.name);
   record(commands_);
-  check(vkEndCommandBuffer(commands_), "prepare work for the device");
+  check(vkEndCommandBuffer(commands_), "end the command buffer of " + description_.name);
 
   VkSubmitInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   info.commandBufferCount = 1;
   info.pCommandBuffers = &commands_;
   const VkFence fence = fence_.get();
-  check(vkQueueSubmit(queue_, 1, &info, fence), "give work to the device");
-  check(vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX), "wait for the device");
-  check(vkResetFences(device_, 1, &fence), "prepare for more work");
+  check(vkQueueSubmit(queue_, 1, &info, fence), "submit work to " + description_.name);
+  check(vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX), "wait for " + description_.name);
+  check(vkResetFences(device_, 1, &fence), "reset the fence of " + description_.name);
 }
 
 }  // namespace lavaray::vulkan

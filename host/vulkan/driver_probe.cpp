@@ -17,6 +17,7 @@
 #include "vulkan/driver_library.hpp"
 #include "vulkan/driver_search.hpp"
 #include "vulkan/loader.hpp"
+#include "vulkan/result.hpp"
 
 namespace lavaray::vulkan {
 namespace {
@@ -30,7 +31,7 @@ constexpr auto kPatience = std::chrono::seconds(20);
 using Negotiate = VkResult(VKAPI_PTR*)(std::uint32_t* version);
 constexpr std::uint32_t kInterfaceVersion = 5;
 
-const char* reason(VkResult result) {
+const char* meaning(VkResult result) {
   switch (result) {
     case VK_ERROR_OUT_OF_HOST_MEMORY:
       return "that it gets no memory";
@@ -43,6 +44,10 @@ const char* reason(VkResult result) {
     default:
       return "that it failed, and not why";
   }
+}
+
+std::string reason(VkResult result) {
+  return std::string(meaning(result)) + " (" + resultName(result) + ')';
 }
 
 DriverAnswer faulty(const std::string& text, const std::string& library) {

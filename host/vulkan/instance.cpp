@@ -11,6 +11,7 @@
 #include "vulkan/driver_survey.hpp"
 #include "vulkan/loader_environment.hpp"
 #include "vulkan/no_device.hpp"
+#include "vulkan/result.hpp"
 
 namespace lavaray::vulkan {
 namespace {

@@ -3,8 +3,6 @@
 #define VK_NO_PROTOTYPES
 #include <vulkan/vulkan.h>
 
-#include <string>
-
 // The Vulkan loader is opened at run time, not linked: so a machine without it gets a sentence that names the
 // package, and everything that needs no device works there.
 
@@ -17,8 +15,8 @@ namespace lavaray::vulkan {
 #define LAVARAY_INSTANCE_FUNCTIONS(X) \
   X(vkDestroyInstance) X(vkEnumeratePhysicalDevices) X(vkGetPhysicalDeviceProperties) \
   X(vkGetPhysicalDeviceProperties2) X(vkGetPhysicalDeviceMemoryProperties) \
-  X(vkGetPhysicalDeviceQueueFamilyProperties) X(vkGetPhysicalDeviceFormatProperties) X(vkCreateDevice) \
-  X(vkDestroyDevice) X(vkGetDeviceQueue) X(vkDeviceWaitIdle) X(vkCreateBuffer) X(vkDestroyBuffer) \
+  X(vkGetPhysicalDeviceQueueFamilyProperties) X(vkCreateDevice) \
+  X(vkDestroyDevice) X(vkGetDeviceQueue) X(vkCreateBuffer) X(vkDestroyBuffer) \
   X(vkGetBufferMemoryRequirements) X(vkAllocateMemory) X(vkFreeMemory) X(vkBindBufferMemory) X(vkMapMemory) \
   X(vkCreateBufferView) X(vkDestroyBufferView) X(vkCreateShaderModule) X(vkDestroyShaderModule) \
   X(vkCreateDescriptorSetLayout) X(vkDestroyDescriptorSetLayout) X(vkCreateDescriptorPool) \
@@ -43,11 +41,5 @@ void loadGlobalFunctions();
 
 // Fetches the other functions. The program has one instance at a time.
 void loadInstanceFunctions(VkInstance instance);
-
-// `cannot <action>: <what the result means, and what may help>`. The action is in a user's words.
-std::string failureOf(VkResult result, const std::string& action);
-
-// Throws Error(kDevice) with that unless `result` is VK_SUCCESS.
-void check(VkResult result, const std::string& action);
 
 }  // namespace lavaray::vulkan

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "vulkan/driver_search.hpp"
+#include "vulkan/result.hpp"
 
 namespace lavaray::vulkan {
 namespace {

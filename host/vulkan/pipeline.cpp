@@ -1,11 +1,12 @@
 #include "vulkan/pipeline.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "vulkan/result.hpp"
 
 namespace lavaray::vulkan {
 namespace {
-
-constexpr const char* kPreparing = "prepare the shader for the device";  // for messages
 
 // More than most batches of scenes need. Someone who edits a shader under --watch makes a new one each time,
 // and one is some megabytes.
@@ -15,13 +16,15 @@ constexpr std::size_t kMostKept = 32;
 
 Pipeline::Pipeline(VkDevice device, const PipelineSource& source) {
   createLayouts(device, source);
+  const std::string what =
+      "the shader (" + std::to_string((source.spirv.size_bytes() + 1023) / 1024) + " KiB of SPIR-V)";
 
   VkShaderModuleCreateInfo moduleInfo{};
   moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
   moduleInfo.codeSize = source.spirv.size_bytes();
   moduleInfo.pCode = source.spirv.data();
   VkShaderModule rawModule = VK_NULL_HANDLE;
-  check(vkCreateShaderModule(device, &moduleInfo, nullptr, &rawModule), kPreparing);
+  check(vkCreateShaderModule(device, &moduleInfo, nullptr, &rawModule), "load " + what);
   const Handle<VkShaderModule, &vkDestroyShaderModule> shaderModule(device, rawModule);
 
   std::vector<VkSpecializationMapEntry> entries;
@@ -38,7 +41,8 @@ Pipeline::Pipeline(VkDevice device, const PipelineSource& source) {
   info.stage.pSpecializationInfo = &specialization;
   info.layout = layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), kPreparing);
+  check(vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+        "make a pipeline of " + what);
   pipeline_ = {device, pipeline};
 }
 
@@ -52,7 +56,8 @@ void Pipeline::createLayouts(VkDevice device, const PipelineSource& source) {
   setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
   setInfo.pBindings = bindings.data();
   VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device, &setInfo, nullptr, &setLayout), kPreparing);
+  check(vkCreateDescriptorSetLayout(device, &setInfo, nullptr, &setLayout),
+        "lay out the shader's " + std::to_string(bindings.size()) + " buffers");
   setLayout_ = {device, setLayout};
 
   const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0,
@@ -64,7 +69,9 @@ void Pipeline::createLayouts(VkDevice device, const PipelineSource& source) {
   info.pushConstantRangeCount = source.pushConstantSize > 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
   VkPipelineLayout layout = VK_NULL_HANDLE;
-  check(vkCreatePipelineLayout(device, &info, nullptr, &layout), kPreparing);
+  check(vkCreatePipelineLayout(device, &info, nullptr, &layout),
+        "make the layout of the shader's pipeline (" + std::to_string(source.pushConstantSize) +
+            " bytes of constants)");
   layout_ = {device, layout};
 }
 
