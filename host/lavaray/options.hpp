@@ -17,24 +17,15 @@ namespace lavaray {
 // The command line for one of its scenes, checked as far as that goes without reading the scene.
 struct Options {
   std::filesystem::path scene;  // or "-" for standard input
-  std::string
-      output;  // a path, or "-" for PPM to stdout; with the ending .film the film in place of a picture
+  // A path, or "-" for PPM to stdout; with the ending .film the film in place of a picture.
+  std::string output;
   std::optional<int> width;
   std::optional<int> height;
   std::optional<Rectangle> crop;
   bool normalize = false;
-  std::uint32_t samples = 1;
-  std::optional<SampleRange> sampleRange;  // of these samples
-  Sampler sampler = Sampler::kSobol;
-  PixelFilter filter = PixelFilter::kBox;
-  std::optional<double> targetError;
-  std::uint32_t maxSamples = 65536;
-  std::optional<double> timeLimitSeconds;
-  std::uint32_t seed = 0;
-  View view = View::kColor;
+  RenderSettings render;  // but for what depends on the scene: size, crop, shader, what is kept and counted
   bool half = false;
   std::vector<Layer> layers;
-  std::uint32_t maxDepth = 8;
   double reflect = 0.0;
   double lightRadius = 0.0;
   std::string device;

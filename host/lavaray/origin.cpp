@@ -40,7 +40,7 @@ TextEntries describeOrigin(const Options& options, const RenderSettings& setting
                          {"Size", describe(settings.size, options.crop)},
                          {"Seed", std::to_string(settings.seed)},
                          {"Device", device}};
-  if (options.view != View::kColor) entries.emplace_back("View", viewName(options.view));
+  if (settings.view != View::kColor) entries.emplace_back("View", viewName(settings.view));
   return entries;
 }
 

@@ -76,7 +76,7 @@ void Outputs::writeRowsOf(Render& render, const Rectangle& crop) {
   }
   const auto begin = 3 * static_cast<std::size_t>(part_.x0 - crop.x0);
   std::vector<float> shown(3 * static_cast<std::size_t>(part_.x1 - part_.x0));
-  const bool hasFalseColors = options_.view == View::kCost && !hasNumbers();
+  const bool hasFalseColors = options_.render.view == View::kCost && !hasNumbers();
   int y = crop.y0;
   render.handOverRows([&](std::span<const float> row) {
     const bool isShown = part_.y0 <= y && y < part_.y1;

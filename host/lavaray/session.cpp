@@ -16,7 +16,7 @@ namespace {
 
 // A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
 bool needsWhole(const Options& options) {
-  return options.normalize || isMeasure(options.view);
+  return options.normalize || isMeasure(options.render.view);
 }
 
 bool keepsFilm(const Options& options) {
@@ -25,25 +25,16 @@ bool keepsFilm(const Options& options) {
 
 // Rows of one sample a pixel go to the file while others are traced, unless something needs all of them.
 bool keepsPicture(const Options& options) {
-  const bool isOneSample = options.samples == 1 && !options.targetError;
-  return !isOneSample || needsWhole(options) || options.view == View::kSamples || options.display ||
+  const bool isOneSample = options.render.samples == 1 && !options.render.targetError;
+  return !isOneSample || needsWhole(options) || options.render.view == View::kSamples || options.display ||
          keepsFilm(options);
 }
 
+// What was asked for, with what depends on the scene.
 RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
-  RenderSettings settings;
+  RenderSettings settings = options.render;
   settings.size = size;
   settings.crop = needsWhole(options) ? Rectangle{0, 0, size.width, size.height} : part;
-  settings.maxDepth = options.maxDepth;
-  settings.samples = options.samples;
-  settings.range = options.sampleRange;
-  settings.sampler = options.sampler;
-  settings.filter = options.filter;
-  settings.seed = options.seed;
-  settings.targetError = options.targetError;
-  settings.maxSamples = options.maxSamples;
-  settings.timeLimitSeconds = options.timeLimitSeconds;
-  settings.view = options.view;
   settings.keepsPicture = keepsPicture(options);
   settings.countRays = options.stats || !options.json.empty();
   return settings;
@@ -184,11 +175,11 @@ void Session::writePicture(Render& render, const RenderSettings& settings, const
     outputs.writeFilm(render, identity);
   } else {
     outputs.writeRowsOf(render, settings.crop);
-    outputs.endPicture(describeOutcome(options_.view, statistics, times_.seconds()));
+    outputs.endPicture(describeOutcome(options_.render.view, statistics, times_.seconds()));
   }
   times_.endStep("write image");
-  const std::optional<std::string> scale = describeScale(options_.view, statistics);
-  if (scale && !options_.quiet) std::cerr << viewName(options_.view) << ": " << *scale << '\n';
+  const std::optional<std::string> scale = describeScale(options_.render.view, statistics);
+  if (scale && !options_.quiet) std::cerr << viewName(options_.render.view) << ": " << *scale << '\n';
 }
 
 void Session::writeStatistics(const RenderStatistics& statistics, const RenderSettings& settings,

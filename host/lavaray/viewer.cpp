@@ -63,7 +63,7 @@ void Viewer::show(const Render& render, bool isFinished) {
   }
   Image image = render.image();
   if (options_.normalize) normalize(image);
-  if (options_.view == View::kCost) applyFalseColors(image.rgb);
+  if (options_.render.view == View::kCost) applyFalseColors(image.rgb);
   window_->show(std::move(image), title.str());
   lastShown_ = Clock::now();
 }
