@@ -5,8 +5,9 @@
 #include "base/output_file.hpp"
 #include "lavaray/inputs.hpp"
 #include "lavaray/json_report.hpp"
-#include "lavaray/report.hpp"
+#include "lavaray/run_report.hpp"
 #include "lavaray/scene_loop.hpp"
+#include "lavaray/text_report.hpp"
 
 namespace lavaray {
 namespace {
@@ -18,10 +19,11 @@ ExitCode checkScene(const Options& options) {
   printWarnings(std::cerr, inputs.takeWarnings());
   const Scene& scene = inputs.scene();
   const ImageSize size = outputSize(options, imageSize(scene.camera).value());
-  printScene(std::cerr, scene);
+  const SceneReport report = reportScene(scene);
+  printScene(std::cerr, report);
   if (!options.json.empty()) {
     OutputFile file({"--json", options.json});
-    writeJsonCheck(file.stream(), scene, size);
+    writeJsonCheck(file.stream(), report, size);
     file.commit();
   }
   return ExitCode::kSuccess;

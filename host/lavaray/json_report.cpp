@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/version.hpp"
-#include "scene/camera.hpp"
 
 namespace lavaray {
 namespace {
@@ -15,73 +14,74 @@ using Json = nlohmann::ordered_json;
 // Raised by whoever removes or renames an entry, or changes its meaning.
 constexpr int kSchema = 2;
 
-Json sceneJson(const Scene& scene) {
+Json sceneJson(const SceneReport& scene) {
   Json files = Json::array();
-  for (const Mesh& mesh : scene.meshes) {
-    files.push_back({{"file", mesh.file.string()},
-                     {"triangles", mesh.triangles.size()},
-                     {"vertices", mesh.positions.size()},
-                     {"normals", mesh.normals.size()},
+  for (const MeshFileReport& mesh : scene.meshFiles) {
+    files.push_back({{"file", mesh.file},
+                     {"triangles", mesh.triangles},
+                     {"vertices", mesh.vertices},
+                     {"normals", mesh.normals},
                      {"degenerateTriangles", mesh.degenerateTriangles}});
   }
-  const ImageSize size = imageSize(scene.camera).value();
-  return {{"file", scene.file.string()},
-          {"width", size.width},
-          {"height", size.height},
-          {"planes", scene.planes.size()},
-          {"spheres", scene.spheres.size()},
-          {"triangles", scene.triangles.size()},
-          {"meshes", scene.meshObjects.size()},
-          {"meshTriangles", meshTriangles(scene)},
-          {"lights", scene.lights.size()},
-          {"meshFiles", files}};
+  return {{"file", scene.file},           {"width", scene.image.width},
+          {"height", scene.image.height}, {"planes", scene.planes},
+          {"spheres", scene.spheres},     {"triangles", scene.triangles},
+          {"meshes", scene.meshes},       {"meshTriangles", scene.meshTriangles},
+          {"lights", scene.lights},       {"meshFiles", files}};
 }
 
-Json bvhJson(const GpuScene& scene) {
-  const BvhQuality& bvh = scene.bvhQuality;
-  return {{"primitives", scene.primitives.size()},
-          {"droppedDuplicates", scene.droppedDuplicates},
-          {"innerNodes", bvh.innerNodes},
-          {"leaves", bvh.leaves},
-          {"primitivesPerLeaf", bvh.leafSize},
-          {"depth", bvh.depth},
+Json bvhJson(const HierarchyReport& hierarchy) {
+  const BvhQuality& built = hierarchy.built;
+  return {{"primitives", hierarchy.primitives},
+          {"droppedDuplicates", hierarchy.droppedDuplicates},
+          {"innerNodes", built.innerNodes},
+          {"leaves", built.leaves},
+          {"primitivesPerLeaf", built.leafSize},
+          {"depth", built.depth},
           {"mostDepth", gpu::kMaxBvhDepth},
-          {"traversedNodes", scene.hasFewPrimitives ? 0 : scene.nodes.size()},
-          {"traversedDepth", scene.bvhDepth},
-          {"sahCost", bvh.sahCost}};
+          {"traversedNodes", hierarchy.traversedNodes},
+          {"traversedDepth", hierarchy.traversedDepth},
+          {"sahCost", built.sahCost}};
 }
 
-Json samplingJson(const RenderStatistics& result) {
-  return {{"stopped", stopReasonName(result.stopReason)},
-          {"samplesPerPixel", result.samplesPerPixel},
-          {"mostSamplesPerPixel", result.mostSamples},
-          {"skippedPixels", result.skippedPixels},
-          {"estimatedRmse", result.estimatedError > 0.0 ? Json(result.estimatedError) : Json()}};
+Json raysJson(const TraceCounts& counts) {
+  return {{"camera", counts.samples},
+          {"mirror", counts.mirrorRays},
+          {"shadow", counts.shadowRays},
+          {"skippedCamera", counts.skippedSamples},
+          {"skippedShadow", counts.skippedShadowRays}};
 }
 
-Json deviceJson(const vulkan::Device& device, const RenderStatistics& result) {
-  const vulkan::DeviceDescription& description = device.description();
-  return {{"name", description.name},
-          {"kind", description.kind},
-          {"driver", description.driver},
-          {"bufferBytes", result.deviceBytes},
-          {"dispatches", result.counts.dispatches}};
+Json samplingJson(const RenderStatistics& render) {
+  return {{"stopped", stopReasonName(render.stopReason)},
+          {"samplesPerPixel", render.samplesPerPixel},
+          {"mostSamplesPerPixel", render.mostSamples},
+          {"skippedPixels", render.skippedPixels},
+          {"estimatedRmse", render.estimatedError > 0.0 ? Json(render.estimatedError) : Json()}};
+}
+
+Json deviceJson(const vulkan::DeviceDescription& device, const RenderStatistics& render) {
+  return {{"name", device.name},
+          {"kind", device.kind},
+          {"driver", device.driver},
+          {"bufferBytes", render.deviceBytes},
+          {"dispatches", render.counts.dispatches}};
 }
 
 Json timesJson(const StepTimes& times) {
   Json steps = Json::array();
-  for (const auto& [step, seconds] : times.steps()) {
-    steps.push_back({{"step", step}, {"seconds", std::chrono::duration<double>(seconds).count()}});
+  for (const auto& [step, duration] : times.steps()) {
+    steps.push_back({{"step", step}, {"seconds", std::chrono::duration<double>(duration).count()}});
   }
   return steps;
 }
 
 // What is known without rendering.
-Json inputJson(const Scene& scene, const ImageSize& size) {
+Json inputJson(const SceneReport& scene, const ImageSize& picture) {
   return {{"schema", kSchema},
           {"lavaray", kVersion},
           {"scene", sceneJson(scene)},
-          {"picture", {{"width", size.width}, {"height", size.height}}}};
+          {"picture", {{"width", picture.width}, {"height", picture.height}}}};
 }
 
 void write(std::FILE* stream, const Json& report) {
@@ -92,26 +92,20 @@ void write(std::FILE* stream, const Json& report) {
 
 }  // namespace
 
-void writeJsonCheck(std::FILE* stream, const Scene& scene, const ImageSize& size) {
-  write(stream, inputJson(scene, size));
+void writeJsonCheck(std::FILE* stream, const SceneReport& scene, const ImageSize& picture) {
+  write(stream, inputJson(scene, picture));
 }
 
-void writeJsonStatistics(std::FILE* stream, const Scene& scene, const ImageSize& size,
-                         const GpuScene& gpuScene, const vulkan::Device& device,
-                         const RenderStatistics& result, const StepTimes& times) {
-  Json report = inputJson(scene, size);
-  report["bvh"] = bvhJson(gpuScene);
-  report["rays"] = {{"camera", result.counts.samples},
-                    {"mirror", result.counts.mirrorRays},
-                    {"shadow", result.counts.shadowRays},
-                    {"skippedCamera", result.counts.skippedSamples},
-                    {"skippedShadow", result.counts.skippedShadowRays}};
-  report["sampling"] = samplingJson(result);
-  report["device"] = deviceJson(device, result);
-  report["memory"] = {{"peakBytes", peakMemoryBytes()}};
-  report["steps"] = timesJson(times);
-  report["seconds"] = times.seconds();
-  write(stream, report);
+void writeJsonReport(std::FILE* stream, const RunReport& report) {
+  Json json = inputJson(report.scene, report.picture);
+  json["bvh"] = bvhJson(report.hierarchy);
+  json["rays"] = raysJson(report.render.counts);
+  json["sampling"] = samplingJson(report.render);
+  json["device"] = deviceJson(report.device, report.render);
+  json["memory"] = {{"peakBytes", report.peakMemoryBytes}};
+  json["steps"] = timesJson(report.times);
+  json["seconds"] = report.times.seconds();
+  write(stream, json);
 }
 
 }  // namespace lavaray

@@ -2,20 +2,17 @@
 
 #include <cstdio>
 
-#include "lavaray/report.hpp"
-#include "scene/camera.hpp"
+#include "lavaray/run_report.hpp"
 
 namespace lavaray {
 
-// One JSON object each; the README has its schema. `size` is that of the whole picture. Whether all was
-// written is for the owner of the stream to check.
+// One JSON object each; the README has its schema. Whether all of it was written is for the owner of the
+// stream to check.
 
-// What --check says, and the picture's size.
-void writeJsonCheck(std::FILE* stream, const Scene& scene, const ImageSize& size);
+// What --check says, and the size of the whole picture.
+void writeJsonCheck(std::FILE* stream, const SceneReport& scene, const ImageSize& picture);
 
-// Everything of --stats, the times included.
-void writeJsonStatistics(std::FILE* stream, const Scene& scene, const ImageSize& size,
-                         const GpuScene& gpuScene, const vulkan::Device& device,
-                         const RenderStatistics& result, const StepTimes& times);
+// What --stats says.
+void writeJsonReport(std::FILE* stream, const RunReport& report);
 
 }  // namespace lavaray

@@ -4,8 +4,8 @@
 #include "lavaray/check_scenes.hpp"
 #include "lavaray/options.hpp"
 #include "lavaray/render_scenes.hpp"
-#include "lavaray/report.hpp"
 #include "lavaray/scene_files.hpp"
+#include "lavaray/text_report.hpp"
 #include "lavaray/watch_scene.hpp"
 #include "vulkan/driver_survey.hpp"
 

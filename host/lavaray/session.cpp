@@ -10,6 +10,8 @@
 #include "lavaray/identity.hpp"
 #include "lavaray/json_report.hpp"
 #include "lavaray/origin.hpp"
+#include "lavaray/run_report.hpp"
+#include "lavaray/text_report.hpp"
 
 namespace lavaray {
 namespace {
@@ -184,15 +186,13 @@ void Session::writePicture(Render& render, const RenderSettings& settings, const
 
 void Session::writeStatistics(const RenderStatistics& statistics, const RenderSettings& settings,
                               Outputs& outputs) {
-  const vulkan::Device& device = device_.get().device;
-  if (options_.stats) {
-    printStatistics(std::cerr, inputs_.scene(), inputs_.gpuScene(), device, statistics);
-    times_.print(std::cerr);
-  }
+  if (!options_.stats && outputs.json() == nullptr) return;
+  const RunReport report = reportRun(inputs_.scene(), inputs_.gpuScene(), settings.size,
+                                     device_.get().device.description(), statistics, times_);
+  if (options_.stats) printReport(std::cerr, report);
   if (outputs.json() == nullptr) return;
   try {
-    writeJsonStatistics(outputs.json(), inputs_.scene(), settings.size, inputs_.gpuScene(), device,
-                        statistics, times_);
+    writeJsonReport(outputs.json(), report);
     outputs.commitJson();
   } catch (const Error& error) {
     throw Error(error.exitCode(), options_.output + " is written, but " + error.what());

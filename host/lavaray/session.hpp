@@ -8,7 +8,7 @@
 #include "lavaray/options.hpp"
 #include "lavaray/outputs.hpp"
 #include "lavaray/render_context.hpp"
-#include "lavaray/report.hpp"
+#include "lavaray/step_times.hpp"
 #include "lavaray/viewer.hpp"
 #include "render/renderer.hpp"
 

@@ -1,0 +1,87 @@
+#include "lavaray/text_report.hpp"
+
+#include <iomanip>
+
+namespace lavaray {
+namespace {
+
+double mebibytes(std::size_t bytes) {
+  return static_cast<double>(bytes) / (1U << 20U);
+}
+
+void printHierarchy(std::ostream& out, const HierarchyReport& hierarchy) {
+  const BvhQuality& built = hierarchy.built;
+  out << "bvh\n  primitives      " << hierarchy.primitives << " (" << hierarchy.droppedDuplicates
+      << " duplicates dropped)\n  inner nodes     " << built.innerNodes << "\n  leaves          "
+      << built.leaves << " of " << built.leafSize << " primitives in the mean\n  depth           "
+      << built.depth << " of at most " << gpu::kMaxBvhDepth << "\n  as traversed    ";
+  if (hierarchy.isTraversed) {
+    out << hierarchy.traversedNodes << " nodes of up to " << gpu::kNodeWidth << " children, depth "
+        << hierarchy.traversedDepth;
+  } else {
+    out << "not at all, each ray tests all primitives";
+  }
+  out << "\n  SAH cost        " << built.sahCost << '\n';
+}
+
+void printRender(std::ostream& out, const RenderStatistics& render) {
+  out << "rays\n  camera          " << render.counts.samples << " (" << render.samplesPerPixel
+      << " a pixel, at most " << render.mostSamples << ")\n  mirror          " << render.counts.mirrorRays
+      << "\n  shadow          " << render.counts.shadowRays << "\nskipped\n  camera rays     "
+      << render.counts.skippedSamples << "\n  shadow rays     " << render.counts.skippedShadowRays
+      << "\n  black pixels    " << render.skippedPixels << "\nsampling\n  stopped         "
+      << stopReasonName(render.stopReason) << '\n';
+  if (render.estimatedError > 0.0) {
+    out << "  estimated RMSE  " << std::setprecision(6) << render.estimatedError << std::setprecision(2)
+        << '\n';
+  }
+}
+
+void printTimes(std::ostream& out, const StepTimes& times) {
+  const auto print = [&](const std::string& name, StepTimes::Clock::duration duration) {
+    out << "  " << std::left << std::setw(18) << name << std::right << std::setw(9) << milliseconds(duration)
+        << '\n';
+  };
+  out << std::setprecision(1) << "time (ms)\n";
+  for (const auto& [name, duration] : times.steps()) print(name, duration);
+  print("all", times.all());
+}
+
+}  // namespace
+
+void printWarnings(std::ostream& out, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) out << "warning: " << warning << '\n';
+}
+
+void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices) {
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    out << i << ": " << devices[i].name << " (" << devices[i].kind << ", " << devices[i].driver << ')'
+        << (devices[i].usable ? "" : ", not usable: no Vulkan 1.2 compute") << '\n';
+  }
+}
+
+void printScene(std::ostream& out, const SceneReport& scene) {
+  out << "scene " << scene.file << "\n  image           " << scene.image.width << " x " << scene.image.height
+      << "\n  planes          " << scene.planes << "\n  spheres         " << scene.spheres
+      << "\n  triangles       " << scene.triangles << "\n  meshes          " << scene.meshes << " with "
+      << scene.meshTriangles << " triangles\n  lights          " << scene.lights << '\n';
+  for (const MeshFileReport& mesh : scene.meshFiles) {
+    out << "  mesh file       " << mesh.file << ": " << mesh.triangles << " triangles, " << mesh.vertices
+        << " vertices, " << mesh.normals << " normals, " << mesh.degenerateTriangles
+        << " degenerate triangles dropped\n";
+  }
+}
+
+void printReport(std::ostream& out, const RunReport& report) {
+  printScene(out, report.scene);
+  out << std::fixed << std::setprecision(2);
+  printHierarchy(out, report.hierarchy);
+  printRender(out, report.render);
+  out << "device\n  name            " << report.device.name << "\n  driver          " << report.device.driver
+      << "\n  buffers         " << mebibytes(report.render.deviceBytes) << " MiB\n  dispatches      "
+      << report.render.counts.dispatches << "\nmemory\n  process, peak   "
+      << mebibytes(report.peakMemoryBytes) << " MiB\n";
+  printTimes(out, report.times);
+}
+
+}  // namespace lavaray

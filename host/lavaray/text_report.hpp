@@ -1,0 +1,21 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "lavaray/run_report.hpp"
+
+namespace lavaray {
+
+void printWarnings(std::ostream& out, const std::vector<std::string>& warnings);
+
+void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices);
+
+// What --check says.
+void printScene(std::ostream& out, const SceneReport& scene);
+
+// What --stats says.
+void printReport(std::ostream& out, const RunReport& report);
+
+}  // namespace lavaray
