@@ -6,7 +6,6 @@
 #include "base/available_memory.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/usage.hpp"
-#include "lavaray/checkpoint.hpp"
 #include "lavaray/identity.hpp"
 #include "lavaray/json_report.hpp"
 #include "lavaray/origin.hpp"
@@ -62,6 +61,16 @@ void checkMemory(const RenderSettings& settings, bool canBeCropped) {
                   (isOneSample ? "" : ", or one sample per pixel"));
 }
 
+bool isInterrupted(const Render& render) {
+  return render.statistics().stopReason == StopReason::kInterrupted;
+}
+
+// `interrupted at 37 %; ` for a message to go on from; nothing where the render was not.
+std::optional<std::string> describeInterruption(const Render& render) {
+  if (!isInterrupted(render)) return std::nullopt;
+  return "interrupted at " + std::to_string(static_cast<int>(100.0 * render.shareDone())) + " %; ";
+}
+
 }  // namespace
 
 Session::Session(const Options& options, RenderContext& context)
@@ -82,35 +91,80 @@ void Session::printWarnings() {
 }
 
 ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
-  const Scene& scene = inputs_.scene();
-  const ImageSize size = outputSize(options_, imageSize(scene.camera).value());
+  const Plan plan = makePlan();
+  Files files(options_);
+  files.outputs.checkSize(plan.part.x1 - plan.part.x0, plan.part.y1 - plan.part.y0);
+  buildHierarchy();
+  OpenDevice& open = openDevice();
+  const std::string& deviceName = open.device.description().name;
+  viewer_.open(plan.settings.size);
+  const Identity identity =
+      keepsFilm(options_) ? describeIdentity(options_, inputs_, plan.settings) : Identity{};
+  Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
+  checkMemory(plan.settings, !needsWhole(options_));
+
+  if (!traceLayers(files.layers, plan, isOutdated)) return ExitCode::kSuccess;
+  Render render(open.device, inputs_.gpuScene(), inputs_.scene().camera, plan.settings);
+  if (!options_.resume.empty()) resume(options_.resume, identity, plan.settings, deviceName, render);
+  files.outputs.beginPicture(plan.part, describeOrigin(options_, plan.settings, deviceName));
+  if (!run(render, checkpoint, files.outputs, isOutdated)) return ExitCode::kSuccess;
+
+  checkpoint.save(render);
+  viewer_.showFinished(render);
+  const std::optional<std::string> interruption = describeInterruption(render);
+  if (interruption && takesLongToWrite(plan.part))
+    std::cerr << "lavaray: " << *interruption << "writing the picture, which takes a while\n";
+  writePicture(render, plan, identity, files.outputs);
+  // What fails from here on must not take the picture along.
+  files.layers.write(render, plan.settings, plan.part, deviceName);
+  files.layers.commit();
+  writeReport(render.statistics(), plan.settings.size, files.outputs);
+  tellOutcome(interruption, checkpoint);
+  return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
+}
+
+Session::Plan Session::makePlan() const {
+  const ImageSize size = outputSize(options_, imageSize(inputs_.scene().camera).value());
   const Rectangle part = cropWithin(options_.crop, size);
   RenderSettings settings = renderSettings(options_, size, part);
   settings.shader = inputs_.shader();
-  Outputs outputs(options_);
-  outputs.checkSize(part.x1 - part.x0, part.y1 - part.y0);
-  Layers layers(options_);
+  return {settings, part};
+}
 
+void Session::buildHierarchy() {
   progress_.begin("building the hierarchy");
   inputs_.flatten();
   times_.endStep("build");
+}
+
+OpenDevice& Session::openDevice() {
   progress_.begin("opening the device");
   OpenDevice& open = device_.get();
   times_.endStep("wait for device");
   progress_.end();
   lavaray::printWarnings(std::cerr, open.instance.takeWarnings());
   if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
-  viewer_.open(size);
+  return open;
+}
 
-  const Identity identity = keepsFilm(options_) ? describeIdentity(options_, inputs_, settings) : Identity{};
-  Checkpoint checkpoint(checkpointName(options_), options_.checkpointSeconds, identity);
-  checkMemory(settings, !needsWhole(options_));
-  if (!traceLayers(layers, settings, part, isOutdated)) return ExitCode::kSuccess;
-  Render render(open.device, inputs_.gpuScene(), scene.camera, settings);
-  if (!options_.resume.empty()) {
-    resume(options_.resume, identity, settings, open.device.description().name, render);
-  }
-  outputs.beginPicture(part, describeOrigin(options_, settings, open.device.description().name));
+// Before the picture, so that an interrupted one has its layers.
+bool Session::traceLayers(Layers& layers, const Plan& plan, const IsOutdated& isOutdated) {
+  if (!layers.areTraced()) return true;
+  bool isOfThePast = false;
+  progress_.begin("tracing the layers");
+  const bool isWhole = layers.trace(device_.get().device, inputs_.scene(), inputs_.gpuScene(), plan.settings,
+                                    plan.part, [&](double share) {
+                                      progress_.update(share, "");
+                                      isOfThePast = isOutdated();
+                                      return !isEnded() && !isOfThePast;
+                                    });
+  progress_.end();
+  times_.endStep("trace layers");
+  if (isWhole || isOfThePast) return isWhole;
+  throw Error(interruptCode(), "interrupted before the picture was begun");
+}
+
+bool Session::run(Render& render, Checkpoint& checkpoint, Outputs& outputs, const IsOutdated& isOutdated) {
   bool isOfThePast = false;
   progress_.begin("rendering");
   context_.keepWhenInterrupted();
@@ -123,71 +177,28 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
       [&](std::span<const float> row) { outputs.writeRow(row); });
   progress_.end();
   times_.endStep("render", outputs.timeOfRows());
-  if (isOfThePast) return ExitCode::kSuccess;
-  const bool isInterrupted = render.statistics().stopReason == StopReason::kInterrupted;
-  if (isInterrupted && render.samplesPerPixel() == 0.0)
+  if (isOfThePast) return false;
+  if (render.samplesPerPixel() == 0.0 && isInterrupted(render))
     throw Error(interruptCode(), "interrupted before anything was rendered");
-
-  checkpoint.save(render);
-  viewer_.showFinished(render);
-  const std::string interruption =
-      "interrupted at " + std::to_string(static_cast<int>(100.0 * render.shareDone())) + " %; ";
-  if (isInterrupted && takesLongToWrite(part))
-    std::cerr << "lavaray: " << interruption << "writing the picture, which takes a while\n";
-  writePicture(render, settings, identity, outputs);
-  // What fails from here on must not take the picture along.
-  layers.write(render, settings, part, open.device.description().name);
-  layers.commit();
-  writeStatistics(render.statistics(), settings, outputs);
-  const std::string name = options_.output == "-" ? "stdout" : options_.output;
-  if (isInterrupted) {
-    throw Error(interruptCode(),
-                interruption + name + " holds what was rendered, pixels without a sample are black");
-  }
-  if (options_.verbose) std::cerr << "wrote " << options_.output << '\n';
-  if (checkpoint.hasFailed()) {
-    throw Error(ExitCode::kOutput, options_.output + " is written, but the checkpoint " +
-                                       options_.checkpoint.string() + " is not: see the warning");
-  }
-  return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
+  return true;
 }
 
-// Before the picture: an interrupted one then has them, too. Returns false where they are of the past.
-bool Session::traceLayers(Layers& layers, const RenderSettings& settings, const Rectangle& part,
-                          const IsOutdated& isOutdated) {
-  if (!layers.areTraced()) return true;
-  bool isOfThePast = false;
-  progress_.begin("tracing the layers");
-  const bool isWhole = layers.trace(device_.get().device, inputs_.scene(), inputs_.gpuScene(), settings, part,
-                                    [&](double share) {
-                                      progress_.update(share, "");
-                                      isOfThePast = isOutdated();
-                                      return !isEnded() && !isOfThePast;
-                                    });
-  progress_.end();
-  times_.endStep("trace layers");
-  if (isWhole || isOfThePast) return isWhole;
-  throw Error(interruptCode(), "interrupted before the picture was begun");
-}
-
-void Session::writePicture(Render& render, const RenderSettings& settings, const Identity& identity,
-                           Outputs& outputs) {
+void Session::writePicture(Render& render, const Plan& plan, const Identity& identity, Outputs& outputs) {
   const RenderStatistics statistics = render.statistics();
   if (outputs.hasFilm()) {
     outputs.writeFilm(render, identity);
   } else {
-    outputs.writeRowsOf(render, settings.crop);
-    outputs.endPicture(describeOutcome(options_.render.view, statistics, times_.seconds()));
+    outputs.writeRowsOf(render, plan.settings.crop);
+    outputs.endPicture(describeOutcome(plan.settings.view, statistics, times_.seconds()));
   }
   times_.endStep("write image");
-  const std::optional<std::string> scale = describeScale(options_.render.view, statistics);
-  if (scale && !options_.quiet) std::cerr << viewName(options_.render.view) << ": " << *scale << '\n';
+  const std::optional<std::string> scale = describeScale(plan.settings.view, statistics);
+  if (scale && !options_.quiet) std::cerr << viewName(plan.settings.view) << ": " << *scale << '\n';
 }
 
-void Session::writeStatistics(const RenderStatistics& statistics, const RenderSettings& settings,
-                              Outputs& outputs) {
+void Session::writeReport(const RenderStatistics& statistics, const ImageSize& picture, Outputs& outputs) {
   if (!options_.stats && outputs.json() == nullptr) return;
-  const RunReport report = reportRun(inputs_.scene(), inputs_.gpuScene(), settings.size,
+  const RunReport report = reportRun(inputs_.scene(), inputs_.gpuScene(), picture,
                                      device_.get().device.description(), statistics, times_);
   if (options_.stats) printReport(std::cerr, report);
   if (outputs.json() == nullptr) return;
@@ -196,6 +207,20 @@ void Session::writeStatistics(const RenderStatistics& statistics, const RenderSe
     outputs.commitJson();
   } catch (const Error& error) {
     throw Error(error.exitCode(), options_.output + " is written, but " + error.what());
+  }
+}
+
+void Session::tellOutcome(const std::optional<std::string>& interruption,
+                          const Checkpoint& checkpoint) const {
+  if (interruption) {
+    const std::string name = options_.output == "-" ? "stdout" : options_.output;
+    throw Error(interruptCode(),
+                *interruption + name + " holds what was rendered, pixels without a sample are black");
+  }
+  if (options_.verbose) std::cerr << "wrote " << options_.output << '\n';
+  if (checkpoint.hasFailed()) {
+    throw Error(ExitCode::kOutput, options_.output + " is written, but the checkpoint " +
+                                       options_.checkpoint.string() + " is not: see the warning");
   }
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "base/errors.hpp"
+#include "lavaray/checkpoint.hpp"
 #include "lavaray/inputs.hpp"
 #include "lavaray/layers.hpp"
 #include "lavaray/options.hpp"
@@ -35,11 +38,31 @@ class Session {
   [[nodiscard]] bool isEnded() const;
 
  private:
-  void writePicture(Render& render, const RenderSettings& settings, const Identity& identity,
-                    Outputs& outputs);
-  void writeStatistics(const RenderStatistics& statistics, const RenderSettings& settings, Outputs& outputs);
-  bool traceLayers(Layers& layers, const RenderSettings& settings, const Rectangle& part,
-                   const IsOutdated& isOutdated);
+  // What is rendered, and the part of it that the picture shows: where stretching needs all values, not all
+  // is shown.
+  struct Plan {
+    RenderSettings settings;
+    Rectangle part;
+  };
+  // What is written but the checkpoint. Made before the work, so that what cannot be written is found out by
+  // then.
+  struct Files {
+    explicit Files(const Options& options) : outputs(options), layers(options) {}
+    Outputs outputs;
+    Layers layers;
+  };
+
+  // The steps of renderAndWrite. Those that return a bool return false where the picture is of the past.
+  [[nodiscard]] Plan makePlan() const;
+  void buildHierarchy();
+  OpenDevice& openDevice();
+  bool traceLayers(Layers& layers, const Plan& plan, const IsOutdated& isOutdated);
+  bool run(Render& render, Checkpoint& checkpoint, Outputs& outputs, const IsOutdated& isOutdated);
+  void writePicture(Render& render, const Plan& plan, const Identity& identity, Outputs& outputs);
+  void writeReport(const RenderStatistics& statistics, const ImageSize& picture, Outputs& outputs);
+  // Throws where the picture is not what was asked for, or the checkpoint is not written.
+  void tellOutcome(const std::optional<std::string>& interruption, const Checkpoint& checkpoint) const;
+
   bool proceed(const Render& render);
 
   const Options& options_;
