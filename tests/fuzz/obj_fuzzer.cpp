@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "fuzz/checks.hpp"
-#include "obj_peer.hpp"
 #include "scene/obj_reader.hpp"
+#include "support/obj_peer.hpp"
 
 namespace {
 

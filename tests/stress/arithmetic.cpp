@@ -9,11 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "arithmeticProbeSpirv.spv.h"
-#include "gpu/probe.hpp"
-#include "gpu/test_device.hpp"
-#include "random_numbers.hpp"
+#include "device/probe.hpp"
+#include "device/test_device.hpp"
 #include "stress/report.hpp"
 #include "stress/shaders/stress_probes.h"
+#include "support/random_numbers.hpp"
 
 namespace lavaray {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "bvh/bvh.hpp"
 #include "bvh/primitives.hpp"
-#include "bvh_soundness.hpp"
 #include "interface.h"
 #include "scene/scene_reader.hpp"
-#include "scene_building.hpp"
 #include "stress/report.hpp"
+#include "support/bvh_soundness.hpp"
+#include "support/scene_building.hpp"
 
 namespace lavaray {
 namespace {

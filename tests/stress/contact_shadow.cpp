@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/render_scene.hpp"
+#include "device/render_scene.hpp"
 #include "oracle/oracle.hpp"
 #include "scene/camera.hpp"
 #include "stress/frame.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene_building.hpp"
+#include "support/scene_building.hpp"
 
 namespace lavaray {
 

@@ -9,15 +9,15 @@
 #include <optional>
 
 #include "base/errors.hpp"
-#include "gpu/probe.hpp"
-#include "gpu/render_scene.hpp"
-#include "input_files.hpp"
+#include "device/probe.hpp"
+#include "device/render_scene.hpp"
 #include "pathProbeSpirv.spv.h"
 #include "scene/camera.hpp"
 #include "scene/scene_reader.hpp"
 #include "stress/hostile_scene.hpp"
 #include "stress/report.hpp"
 #include "stress/shaders/stress_probes.h"
+#include "support/input_files.hpp"
 
 namespace lavaray {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "gpu/render_scene.hpp"
-#include "scene_files.hpp"
+#include "device/render_scene.hpp"
 #include "stress/report.hpp"
+#include "support/scene_files.hpp"
 
 namespace lavaray {
 namespace {

@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "gpu/probe.hpp"
-#include "scene_building.hpp"
+#include "device/probe.hpp"
 #include "stress/report.hpp"
 #include "stress/shaders/stress_probes.h"
+#include "support/scene_building.hpp"
 #include "visibilityProbeSpirv.spv.h"
 
 namespace lavaray {

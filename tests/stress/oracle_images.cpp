@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "gpu/render_scene.hpp"
-#include "gpu/test_device.hpp"
+#include "device/render_scene.hpp"
+#include "device/test_device.hpp"
 #include "image/image.hpp"
-#include "image_compare.hpp"
 #include "oracle/oracle.hpp"
-#include "scene_files.hpp"
 #include "stress/report.hpp"
+#include "support/image_compare.hpp"
+#include "support/scene_files.hpp"
 
 namespace lavaray {
 namespace {

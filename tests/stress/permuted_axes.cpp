@@ -8,9 +8,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "random_numbers.hpp"
 #include "stress/report.hpp"
 #include "stress/shape_probe.hpp"
+#include "support/random_numbers.hpp"
 
 namespace lavaray {
 namespace {

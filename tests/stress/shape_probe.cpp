@@ -1,6 +1,6 @@
 #include "stress/shape_probe.hpp"
 
-#include "gpu/probe.hpp"
+#include "device/probe.hpp"
 #include "shapeProbeSpirv.spv.h"
 
 namespace lavaray {

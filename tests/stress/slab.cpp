@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
-#include "random_numbers.hpp"
 #include "stress/quad.hpp"
 #include "stress/report.hpp"
 #include "stress/shape_probe.hpp"
+#include "support/random_numbers.hpp"
 
 namespace lavaray {
 namespace {

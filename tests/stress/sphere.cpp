@@ -10,10 +10,10 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "random_numbers.hpp"
 #include "stress/quad.hpp"
 #include "stress/report.hpp"
 #include "stress/shape_probe.hpp"
+#include "support/random_numbers.hpp"
 
 namespace lavaray {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/probe.hpp"
+#include "device/probe.hpp"
 #include "stress/report.hpp"
 #include "surfaceProbeSpirv.spv.h"
 

@@ -5,8 +5,8 @@
 
 #include "bvh/flatten.hpp"
 #include "scene/scene.hpp"
-#include "scene_building.hpp"
 #include "stress/shaders/stress_probes.h"
+#include "support/scene_building.hpp"
 
 namespace lavaray {
 

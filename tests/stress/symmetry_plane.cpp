@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "gpu/render_scene.hpp"
+#include "device/render_scene.hpp"
 #include "oracle/oracle.hpp"
-#include "scene_building.hpp"
 #include "stress/report.hpp"
+#include "support/scene_building.hpp"
 
 namespace lavaray {
 namespace {

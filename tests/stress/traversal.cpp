@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "bvh/flatten.hpp"
-#include "gpu/trace_rays.hpp"
+#include "device/trace_rays.hpp"
 #include "scene/scene_reader.hpp"
-#include "scene_building.hpp"
 #include "stress/report.hpp"
+#include "support/scene_building.hpp"
 
 namespace lavaray {
 namespace {

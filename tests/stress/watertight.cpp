@@ -8,9 +8,9 @@
 #include <string>
 
 #include "bvh/flatten.hpp"
-#include "gpu/trace_rays.hpp"
-#include "scene_building.hpp"
+#include "device/trace_rays.hpp"
 #include "stress/report.hpp"
+#include "support/scene_building.hpp"
 
 namespace lavaray {
 namespace {

@@ -2,7 +2,7 @@
 #ifndef LAVARAY_STRESS_PROBES_H
 #define LAVARAY_STRESS_PROBES_H
 
-#include "../../shaders/probe.h"
+#include "../../device/shaders/probe.h"
 
 #ifdef __cplusplus
 namespace lavaray::gpu {

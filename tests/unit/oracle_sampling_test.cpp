@@ -1,0 +1,350 @@
+// The oracle's sampled images against closed forms. Seeds are fixed, so that the statistical bounds (four
+// standard errors or more) either hold for good or show an error.
+#include "oracle/oracle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "support/closed_forms.hpp"
+
+namespace lavaray {
+namespace {
+
+using glm::dvec3;
+using oracle::Options;
+using oracle::Pixel;
+using oracle::Result;
+
+constexpr double kPi = std::numbers::pi;
+
+// At the origin, 101 x 101 pixels, the middle one looking along -z.
+Scene sceneWithView(double fovDegrees) {
+  Scene scene;
+  scene.camera = {dvec3(0.0), fovDegrees, 50.5 / std::tan(fovDegrees * kPi / 360.0), 1.0};
+  return scene;
+}
+
+// So narrow that all of a pixel sees one point, as far as any test here can tell.
+Scene narrowScene() {
+  return sceneWithView(0.001);
+}
+
+std::uint32_t addMaterial(Scene& scene, const Material& material) {
+  scene.materials.push_back(material);
+  return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+// Shows 0.5 (1 + visible part of a light of ambient 1).
+Material visibility() {
+  Material material;
+  material.ambient = dvec3(0.5);
+  return material;
+}
+
+Material glow(const dvec3& color) {
+  Material material;
+  material.ambient = color;
+  return material;
+}
+
+Light ambientLight(const dvec3& position, double radius) {
+  return {position, dvec3(1.0), dvec3(0.0), dvec3(0.0), radius};
+}
+
+Options sampled(int samples, std::uint64_t seed = 1) {
+  Options options;
+  options.samples = samples;
+  options.seed = seed;
+  return options;
+}
+
+Pixel middlePixel(const Scene& scene, int samples) {
+  Options options = sampled(samples);
+  options.x0 = options.y0 = 50;
+  options.x1 = options.y1 = 51;
+  return oracle::render(scene, options).pixels.at(0);
+}
+
+double visiblePart(const Pixel& pixel) {
+  return 2.0 * pixel.color.x - 1.0;
+}
+
+// `unit` is what one part of the quantity adds to the colour.
+void expectWithin(double value, double expected, double standardError, double unit = 1.0) {
+  EXPECT_NEAR(value, expected, 4.0 * standardError / unit + 1e-9);
+}
+
+TEST(OracleSampling, AreaOfASpheresImage) {
+  constexpr double kFocalLength = 50.5;
+  for (const dvec3& center : {dvec3(0.0, 0.0, -10.0), dvec3(2.0, 1.0, -10.0)}) {
+    Scene scene = sceneWithView(90.0);
+    scene.spheres = {{center, 4.0, addMaterial(scene, glow(dvec3(1.0, 0.5, 7.0)))}};
+    const Result image = oracle::render(scene, sampled(64));
+    dvec3 area(0.0);
+    dvec3 variance(0.0);
+    for (const Pixel& pixel : image.pixels) {
+      area += pixel.color;
+      variance += pixel.standardError * pixel.standardError;
+    }
+    // The ellipse in which the image plane cuts the cone of half angle a whose axis is at the angle b to the
+    // view: pi f^2 sin^2 a cos a / (cos^2 b - sin^2 a)^(3/2).
+    const double sine = 4.0 / glm::length(center);
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const double axis = 10.0 / glm::length(center);
+    const double expected =
+        kPi * kFocalLength * kFocalLength * sine * sine * cosine / std::pow(axis * axis - sine * sine, 1.5);
+    expectWithin(area.x, expected, std::sqrt(variance.x));
+    expectWithin(area.y, 0.5 * expected, std::sqrt(variance.y));
+    EXPECT_NEAR(area.x / expected, 1.0, 1e-3);
+    EXPECT_DOUBLE_EQ(area.z, area.x);  // each sample is clamped, not their mean
+  }
+}
+
+TEST(OracleSampling, PenumbraOfAHalfPlane) {
+  const dvec3 point(0.0, 0.0, -10.0);
+  const dvec3 light(3.0, 0.0, -3.0);
+  for (const double radius : {2.0, 0.05}) {
+    const double distance = glm::distance(point, light);
+    for (const double share : {-1.1, -0.9, -0.5, 0.0, 0.3, 0.8, 1.1}) {
+      const double a = std::asin(radius / distance);
+      const double b = share * a;
+      // From the point the edge is seen in the light's direction, turned by b towards the occluder.
+      const double edge = 4.0 * std::tan(std::atan2(3.0, 7.0) + b);
+      Scene scene = narrowScene();
+      scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, visibility())}};
+      scene.triangles = {{{dvec3(edge, -900.0, -6.0), dvec3(edge, 900.0, -6.0), dvec3(900.0, 0.0, -6.0)},
+                          addMaterial(scene, visibility())}};
+      scene.lights = {ambientLight(light, radius)};
+      const Pixel pixel = middlePixel(scene, 40000);
+      expectWithin(visiblePart(pixel), 1.0 - capBeyond(a, b), pixel.standardError.x, 0.5);
+      if (std::abs(share) > 1.0) {
+        EXPECT_EQ(pixel.standardError.x, 0.0);
+      } else {
+        EXPECT_LT(pixel.standardError.x, 0.5 * 0.5 / std::sqrt(40000.0) + 1e-5);
+      }
+    }
+  }
+}
+
+TEST(OracleSampling, PenumbraOfABallInFrontOfTheLight) {
+  const dvec3 axis(0.6, 0.0, 0.8);
+  const dvec3 point(0.0, 0.0, -10.0);
+  for (const double radius : {0.1, 0.3, 0.5, 0.8}) {
+    Scene scene = narrowScene();
+    scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, visibility())}};
+    scene.spheres = {{point + 3.0 * axis, radius, addMaterial(scene, visibility())}};
+    scene.lights = {ambientLight(point + 8.0 * axis, 2.0)};
+    const Pixel pixel = middlePixel(scene, 40000);
+    // Two cones about one axis.
+    const double lightCap = 1.0 - std::sqrt(1.0 - 0.0625);
+    const double ballCap = 1.0 - std::sqrt(1.0 - radius * radius / 9.0);
+    expectWithin(visiblePart(pixel), std::max(1.0 - ballCap / lightCap, 0.0), pixel.standardError.x, 0.5);
+  }
+}
+
+TEST(OracleSampling, WhatLiesInOrBehindTheLightBlocksNothing) {
+  const dvec3 point(0.0, 0.0, -10.0);
+  const dvec3 light(6.0, 0.0, -2.0);
+  const dvec3 axis(0.6, 0.0, 0.8);
+  for (const double along : {0.0, 0.9, 4.0}) {
+    Scene scene = narrowScene();
+    scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, visibility())}};
+    scene.spheres = {{light + along * axis, 1.0, addMaterial(scene, visibility())}};
+    scene.lights = {ambientLight(light, 2.0)};
+    EXPECT_EQ(visiblePart(middlePixel(scene, 1000)), 1.0) << along;
+    // A point light in its place is hidden in the ball.
+    scene.lights[0].radius = 0.0;
+    EXPECT_EQ(visiblePart(middlePixel(scene, 1000)), along < 1.0 ? 0.0 : 1.0) << along;
+  }
+}
+
+TEST(OracleSampling, DiffuseLightOfASphere) {
+  const dvec3 point(0.0, 0.0, -10.0);
+  Material matte;
+  matte.diffuse = dvec3(1.0);
+  // The mean direction of a cone is its axis times (1 + cos a) / 2, as long as all of it is over the horizon.
+  for (const double radius : {0.01, 1.0, 5.0}) {
+    Scene scene = narrowScene();
+    scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, matte)}};
+    scene.lights = {{point + dvec3(6.0, 0.0, 8.0), dvec3(0.0), dvec3(1.0), dvec3(0.0), radius}};
+    const Pixel pixel = middlePixel(scene, 40000);
+    const double cosine = std::sqrt(1.0 - radius * radius / 100.0);
+    expectWithin(pixel.color.x, 0.8 * (1.0 + cosine) / 2.0, pixel.standardError.x);
+    if (radius < 0.1) {
+      EXPECT_LT(pixel.standardError.x, 2e-6);
+    }
+  }
+  // From inside, the light is everywhere: the mean of max(l.n, 0) is 1/4, and of the visible part 1.
+  Scene scene = narrowScene();
+  matte.ambient = dvec3(0.5);
+  scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, matte)}};
+  scene.lights = {{point + dvec3(1.0, 2.0, 2.0), dvec3(0.0), dvec3(1.0), dvec3(0.0), 5.0}};
+  const Pixel pixel = middlePixel(scene, 40000);
+  // (The sum of 0.5 and the term is clamped at 1: subtract what lies above, the mean of max(l.n - 0.5, 0).)
+  expectWithin(pixel.color.x, 0.5 + 0.25 - 0.0625, pixel.standardError.x);
+  scene.lights = {ambientLight(point + dvec3(1.0, 2.0, 2.0), 5.0)};
+  EXPECT_EQ(visiblePart(middlePixel(scene, 100)), 1.0);
+}
+
+// The walls x = -2.5 and x = 2.5 are perfect mirrors. Cell k of the unfolded room is the room, mirrored k
+// times.
+constexpr double kHalfWidth = 2.5;
+const dvec3 kBall(0.8, -0.7, -6.0);
+const dvec3 kLamp(-1.5, 2.0, -2.0);
+
+dvec3 inCell(const dvec3& point, int cell) {
+  return {2.0 * kHalfWidth * cell + (cell % 2 == 0 ? point.x : -point.x), point.y, point.z};
+}
+
+Scene mirrorRoom(const Material& ball, const Material& wall) {
+  Scene scene = sceneWithView(90.0);
+  scene.spheres = {{kBall, 1.2, addMaterial(scene, ball)}};
+  scene.planes = {{dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, -10.0), addMaterial(scene, wall)}};
+  Material mirror;
+  mirror.reflectance = dvec3(1.0);
+  for (const double x : {-kHalfWidth, kHalfWidth}) {
+    scene.planes.push_back({dvec3(1.0, 0.0, 0.0), dvec3(x, 0.0, 0.0), addMaterial(scene, mirror)});
+  }
+  return scene;
+}
+
+Scene unfoldedRoom(const Material& ball, const Material& wall) {
+  Scene scene = sceneWithView(90.0);
+  const std::uint32_t balls = addMaterial(scene, ball);
+  for (int cell = -2; cell <= 2; ++cell) scene.spheres.push_back({inCell(kBall, cell), 1.2, balls});
+  scene.planes = {{dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, -10.0), addMaterial(scene, wall)}};
+  return scene;
+}
+
+TEST(OracleSampling, AMirrorRoomIsTheUnfoldedScene) {
+  const Material ball = glow(dvec3(0.9, 0.2, 0.1));
+  const Material wall = glow(dvec3(0.1, 0.3, 0.8));
+  const Result mirrors = oracle::render(mirrorRoom(ball, wall), sampled(16));
+  const Result unfolded = oracle::render(unfoldedRoom(ball, wall), sampled(16));
+  int different = 0;
+  for (std::size_t i = 0; i < mirrors.pixels.size(); ++i) {
+    if (glm::distance(mirrors.pixels[i].color, unfolded.pixels[i].color) > 1e-12) ++different;
+  }
+  EXPECT_LE(different, 1);  // a silhouette that rounding moves across a sample
+}
+
+// With lights there is no single unfolded scene, as the lamp of a cell does not shine into the next. So each
+// pixel must be that of the unfolded scene with the lamp in one of the cells.
+TEST(OracleSampling, AMirrorRoomIsLitAsTheUnfoldedScene) {
+  const Material ball{dvec3(0.05), dvec3(0.6, 0.3, 0.2), dvec3(0.4), 20.0, dvec3(0.0)};
+  const Material wall{dvec3(0.1), dvec3(0.2, 0.3, 0.5), dvec3(0.3), 5.0, dvec3(0.0)};
+  const Light lamp{kLamp, dvec3(0.1), dvec3(0.9), dvec3(0.8), 0.0};
+  Scene room = mirrorRoom(ball, wall);
+  room.lights = {lamp};
+  Options options;
+  options.probeOffset = 0.0;
+  const Result mirrors = oracle::render(room, options);
+  std::vector<double> nearest(mirrors.pixels.size(), HUGE_VAL);
+  for (int cell = -2; cell <= 2; ++cell) {
+    Scene scene = unfoldedRoom(ball, wall);
+    scene.lights = {lamp};
+    scene.lights[0].position = inCell(kLamp, cell);
+    const Result unfolded = oracle::render(scene, options);
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      nearest[i] = std::min(nearest[i], glm::distance(mirrors.pixels[i].color, unfolded.pixels[i].color));
+    }
+  }
+  int different = 0;
+  for (const double distance : nearest) different += distance > 1e-10 ? 1 : 0;
+  EXPECT_LE(different, 1);
+}
+
+TEST(OracleSampling, FacingMirrorsAddUpToTheGeometricSeries) {
+  constexpr double kGlow = 0.05;
+  const dvec3 reflectance(0.9, 0.5, 0.2);
+  Scene scene = sceneWithView(90.0);
+  Material mirror = glow(dvec3(kGlow));
+  mirror.reflectance = reflectance;
+  for (const double z : {-10.0, 4.0}) {
+    scene.planes.push_back({dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, z), addMaterial(scene, mirror)});
+  }
+  dvec3 last(0.0);
+  for (const int depth : {0, 1, 2, 8, 32}) {
+    Options options = sampled(4);
+    options.maxDepth = depth;
+    options.x1 = options.y1 = 2;
+    const Pixel pixel = oracle::render(scene, options).pixels.at(3);
+    for (int channel = 0; channel < 3; ++channel) {
+      const double r = reflectance[channel];
+      EXPECT_NEAR(pixel.color[channel], kGlow * (1.0 - std::pow(r, depth + 1)) / (1.0 - r), 1e-12);
+      EXPECT_LE(pixel.color[channel], kGlow / (1.0 - r));
+      EXPECT_GT(pixel.color[channel], last[channel]);
+      EXPECT_NEAR(pixel.standardError[channel], 0.0, 1e-15);
+    }
+    last = pixel.color;
+  }
+}
+
+Scene softScene() {
+  Scene scene = sceneWithView(60.0);
+  const Material matte{dvec3(0.1), dvec3(0.5, 0.4, 0.3), dvec3(0.3), 10.0, dvec3(0.2)};
+  scene.spheres = {{dvec3(0.0, 0.0, -10.0), 2.0, addMaterial(scene, matte)}};
+  scene.planes = {{dvec3(0.0, 1.0, 0.0), dvec3(0.0, -2.0, 0.0), addMaterial(scene, matte)}};
+  scene.lights = {{dvec3(5.0, 8.0, -8.0), dvec3(0.1), dvec3(0.8), dvec3(0.6), 2.0}};
+  return scene;
+}
+
+TEST(OracleSampling, TheStandardErrorIsThatOfTheMean) {
+  const Scene scene = softScene();
+  const Result a = oracle::render(scene, sampled(64, 1));
+  const Result b = oracle::render(scene, sampled(64, 2));
+  const Result c = oracle::render(scene, sampled(64, (1ULL << 32) + 1));
+  double squares = 0.0;
+  int noisy = 0;
+  int differing = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Pixel& p = a.pixels[i];
+    const Pixel& q = b.pixels[i];
+    if (p.color != c.pixels[i].color) ++differing;
+    if (p.standardError.x < 0.005 || q.standardError.x < 0.005) continue;
+    const double difference = p.color.x - q.color.x;
+    squares += difference * difference /
+               (p.standardError.x * p.standardError.x + q.standardError.x * q.standardError.x);
+    ++noisy;
+  }
+  EXPECT_GT(noisy, 500);
+  EXPECT_NEAR(squares / noisy, 1.0, 0.15);
+  EXPECT_GT(differing, 500);  // all 64 bits of the seed count
+}
+
+TEST(OracleSampling, APixelDependsOnSeedAndPlaceOnly) {
+  const Scene scene = softScene();
+  const Result whole = oracle::render(scene, sampled(5, 7));
+  Options options = sampled(5, 7);
+  options.x0 = 40;
+  options.y0 = 60;
+  options.x1 = 43;
+  options.y1 = 62;
+  const Result part = oracle::render(scene, options);
+  ASSERT_EQ(part.pixels.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Pixel& pixel = whole.pixels[(60 + i / 3) * 101 + 40 + i % 3];
+    EXPECT_EQ(part.pixels[i].color, pixel.color);
+    EXPECT_EQ(part.pixels[i].standardError, pixel.standardError);
+  }
+}
+
+TEST(OracleSampling, OneSampleTakesLightsForPoints) {
+  Scene scene = softScene();
+  const Pixel soft = middlePixel(scene, 1);
+  scene.lights[0].radius = 0.0;
+  EXPECT_EQ(middlePixel(scene, 1).color, soft.color);
+  EXPECT_EQ(soft.standardError, dvec3(0.0));
+  EXPECT_THROW(oracle::render(scene, sampled(0)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lavaray
