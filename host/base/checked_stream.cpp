@@ -21,8 +21,7 @@ CheckedStream::CheckedStream(int descriptor) : target_(std::make_unique<Target>(
   stream_ = fopencookie(target_.get(), "wb", functions);
   if (stream_ == nullptr) throw std::system_error(errno, std::generic_category());
   std::setvbuf(stream_, nullptr, _IOFBF, kBufferBytes);
-  // Only one thread writes, and CImg does so byte by byte: locking the stream for each byte would take most
-  // of the time.
+  // Only one thread writes: locking the stream for every call would only take time.
   __fsetlocking(stream_, FSETLOCKING_BYCALLER);
 }
 

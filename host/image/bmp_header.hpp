@@ -23,12 +23,11 @@ struct BmpHeader {
   std::int64_t height = 0;
   bool isTopDown = false;
   bool isRunLength = false;
-  bool hasReservedByte = false;  // the fourth of 32 bits, if no mask says what it is
-  int bits = 0;                  // per pixel: 1, 2, 4, 8, 16, 24 or 32
-  std::size_t pixelsAt = 0;      // position in the file
-  std::vector<std::array<std::uint8_t, 3>>
-      palette;                   // red, green, blue; for up to 8 bits, and then never empty
-  std::array<BmpMask, 4> masks;  // red, green, blue, alpha; for more than 8 bits
+  bool hasReservedByte = false;                      // the fourth of 32 bits, if no mask says what it is
+  int bits = 0;                                      // per pixel: 1, 2, 4, 8, 16, 24 or 32
+  std::size_t pixelsAt = 0;                          // position in the file
+  std::vector<std::array<std::uint8_t, 3>> palette;  // red, green, blue; not empty for up to 8 bits
+  std::array<BmpMask, 4> masks;                      // red, green, blue, alpha; for more than 8 bits
 
   [[nodiscard]] bool hasPalette() const { return bits <= 8; }
 };

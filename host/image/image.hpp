@@ -12,9 +12,8 @@ namespace lavaray {
 
 // This room holds images in memory, reads and writes them in files, and tells how two of them differ. A
 // reader gives every integer of a file as its quotient by the maximum, rounded once; for whatever readers
-// disagree about, it adds a note. All writers of a format, whole or row by row, produce the same bytes. Files
-// that are damaged, even on purpose, are refused before they cost more memory than a file of their size can
-// need.
+// disagree about, it adds a note. Files that are damaged, even on purpose, are refused before they cost more
+// memory than a file of their size can need.
 
 // Keywords and texts, such as a PNG file carries. A keyword has 1 to 79 ASCII characters.
 using TextEntries = std::vector<std::pair<std::string, std::string>>;

@@ -7,8 +7,8 @@
 
 namespace lavaray {
 
-// Throws Error(kOutput) if the image is too large for the format. Whether everything was written is for the
-// owner of the stream to check. Only PNG and EXR files hold the texts.
+// Writes a whole image; see RowWriter for what the stream must be and what is thrown. Only PNG and EXR files
+// hold the texts.
 void writeImage(const Image& image, ImageFormat format, std::FILE* stream, const TextEntries& texts = {});
 
 }  // namespace lavaray

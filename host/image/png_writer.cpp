@@ -82,13 +82,4 @@ void PngWriter::finish(const TextEntries& entries) {
   });
 }
 
-void writePng(const Image& image, const TextEntries& entries, std::FILE* stream) {
-  PngWriter png(image.width, image.height, entries, stream);
-  const std::size_t rowSize = std::size_t{3} * image.width;
-  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-    png.writeRow(std::span(image.rgb).subspan(y * rowSize, rowSize));
-  }
-  png.finish({});
-}
-
 }  // namespace lavaray

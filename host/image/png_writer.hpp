@@ -32,6 +32,4 @@ class PngWriter {
   std::vector<std::uint8_t> row_;
 };
 
-void writePng(const Image& image, const TextEntries& texts, std::FILE* stream);
-
 }  // namespace lavaray

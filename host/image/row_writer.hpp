@@ -12,7 +12,7 @@
 
 namespace lavaray {
 
-// Writes the same bytes as writeImage, but row by row from the top, for images too large to hold in memory.
+// Writes an image file row by row from the top, so that the image need not be in memory as a whole.
 class RowWriter {
  public:
   // For BMP and PFM, which store rows from the bottom up, and for EXR the stream must be seekable. Throws

@@ -6,9 +6,6 @@
 #include <sstream>
 #include <utility>
 
-// The files that only read and write images are built without CImg's windows, which makes other classes of
-// the same names: two namespaces keep them apart.
-#define cimg_library cimg_library_with_windows
 #define cimg_display 1
 #define cimg_verbosity 0
 #include <CImg.h>
@@ -18,10 +15,10 @@
 namespace lavaray {
 namespace {
 
-namespace cimg = cimg_library_with_windows::cimg;
-using cimg_library_with_windows::CImg;
-using cimg_library_with_windows::CImgDisplay;
-using cimg_library_with_windows::CImgDisplayException;
+namespace cimg = cimg_library::cimg;
+using cimg_library::CImg;
+using cimg_library::CImgDisplay;
+using cimg_library::CImgDisplayException;
 
 constexpr double kZoomStep = 1.25;
 constexpr double kLargestZoom = 64.0;  // screen pixels a pixel

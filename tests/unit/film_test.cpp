@@ -1,4 +1,4 @@
-// Films and what is merged of them, made here without a renderer; and images that are written row by row.
+// Films and what is merged of them, made here without a renderer.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,8 +8,6 @@
 #include "base/errors.hpp"
 #include "film/film_file.hpp"
 #include "film/merge.hpp"
-#include "image/image_writer.hpp"
-#include "image/row_writer.hpp"
 
 namespace lavaray {
 namespace {
@@ -212,34 +210,6 @@ TEST_F(FilmTest, BlackPixelsOfAPartAreNotInItsFile) {
   EXPECT_EQ(row[3], 0.0F);
   EXPECT_GT(row[6], 0.0F);
   EXPECT_EQ(row[15], 0.0F);
-}
-
-TEST_F(FilmTest, RowsMakeTheSameFileAsTheWholeImage) {
-  // Rows of every remainder, some of which fill several blocks and a part of one, and a row larger than one.
-  constexpr ImageSize kSizes[] = {{1, 1}, {5, 4}, {6, 4}, {7, 4}, {8, 1}, {301, 700}, {30000, 3}};
-  for (const auto& [width, height] : kSizes) {
-    const std::size_t size = 3 * static_cast<std::size_t>(width);
-    Image image{width, height, std::vector<float>(size * static_cast<std::size_t>(height))};
-    std::mt19937 random(static_cast<unsigned>(width));
-    std::uniform_real_distribution<float> value(0.0F, 1.0F);
-    for (float& next : image.rgb) next = value(random);
-    const TextEntries texts = {{"Scene", "a"}};
-    for (const ImageFormat format :
-         {ImageFormat::kBmp, ImageFormat::kPng, ImageFormat::kPpm, ImageFormat::kPfm}) {
-      std::FILE* whole = std::fopen((folder_ / "whole").c_str(), "wb");
-      writeImage(image, format, whole, texts);
-      std::fclose(whole);
-      std::FILE* rows = std::fopen((folder_ / "rows").c_str(), "wb");
-      RowWriter writer(format, width, height, rows, texts);
-      for (std::size_t begin = 0; begin < image.rgb.size(); begin += size) {
-        writer.write(std::span(image.rgb).subspan(begin, size));
-      }
-      writer.finish();
-      std::fclose(rows);
-      EXPECT_TRUE(bytesOf(folder_ / "whole") == bytesOf(folder_ / "rows"))
-          << formatName(format) << ' ' << width << " x " << height;
-    }
-  }
 }
 
 }  // namespace
