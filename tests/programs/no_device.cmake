@@ -18,21 +18,23 @@ target_link_libraries(needy_driver PRIVATE lavaray_options needed_by_driver)
 set_target_properties(failing_driver faulty_driver needed_by_driver needy_driver PROPERTIES SKIP_BUILD_RPATH ON
                       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/drivers)
 
-set(no_device_test ${CMAKE_CURRENT_SOURCE_DIR}/no_device_test.py ${programs} ${PROJECT_SOURCE_DIR}/scenes
-                   $<TARGET_FILE:faulty_driver> $<TARGET_FILE:needy_driver> $<TARGET_FILE:needed_by_driver>)
-add_test(NAME no-device COMMAND ${no_device_test} ${CMAKE_CURRENT_BINARY_DIR}/no-device)
+# lavaray_no_device_test(NAME [FOLDER]): with the loader in FOLDER, or this machine's.
+function(lavaray_no_device_test name)
+  lavaray_program_test(${name} no_device_test.py ${programs} ${scenes} $<TARGET_FILE:faulty_driver>
+                       $<TARGET_FILE:needy_driver> $<TARGET_FILE:needed_by_driver> ${scratch}/${name} ${ARGN})
+endfunction()
+
+lavaray_no_device_test(no-device)
 # And where there is one, of which a function fails.
-add_test(NAME failing-calls COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/failing_calls_test.py ${programs}
-         ${PROJECT_SOURCE_DIR}/scenes $<TARGET_FILE:failing_driver> ${CMAKE_CURRENT_BINARY_DIR}/failing-calls)
+lavaray_program_test(failing-calls failing_calls_test.py ${programs} ${scenes} $<TARGET_FILE:failing_driver>
+                     ${scratch}/failing-calls)
 set_tests_properties(failing-calls PROPERTIES SKIP_RETURN_CODE 77)
-list(APPEND program_tests no-device failing-calls)
 if(NOT LAVARAY_LOADERS)
   # For ctest to name it among the tests that did not run.
   add_test(NAME no-device-other-loaders COMMAND ${CMAKE_COMMAND} -E false)
-  set_tests_properties(no-device-other-loaders PROPERTIES DISABLED TRUE)
+  set_tests_properties(no-device-other-loaders PROPERTIES DISABLED TRUE LABELS programs)
 endif()
 foreach(folder ${LAVARAY_LOADERS})
   get_filename_component(name ${folder} NAME)
-  add_test(NAME no-device-${name} COMMAND ${no_device_test} ${CMAKE_CURRENT_BINARY_DIR}/no-device-${name} ${folder})
-  list(APPEND program_tests no-device-${name})
+  lavaray_no_device_test(no-device-${name} ${folder})
 endforeach()

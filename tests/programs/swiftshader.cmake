@@ -31,13 +31,13 @@ set_tests_properties(${swiftshader_tests} PROPERTIES ENVIRONMENT "${on_swiftshad
 # The programs' only device. A byte may differ by one; by more in a thousandth of the pixels, for edges (the test
 # against lavapipe knows which pixels those are).
 add_test(NAME swiftshader-validation-layer
-         COMMAND lavaray --validate ${PROJECT_SOURCE_DIR}/scenes/showcase.txt --width 100
-                 -o ${CMAKE_CURRENT_BINARY_DIR}/swiftshader-validated.png)
+         COMMAND lavaray --validate ${scenes}/showcase.txt --width 100
+                 -o ${scratch}/swiftshader-validated.png)
 list(APPEND swiftshader_programs swiftshader-validation-layer)
 foreach(scene ${golden_scenes})
   add_test(NAME swiftshader-golden-${scene}
-           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/golden_test.sh ${programs} ${PROJECT_SOURCE_DIR}/scenes
-                   ${PROJECT_SOURCE_DIR}/tests/golden ${CMAKE_CURRENT_BINARY_DIR}/golden-swiftshader ${scene}
+           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/golden_test.sh ${programs} ${scenes}
+                   ${golden} ${scratch}/golden-swiftshader ${scene}
                    --tolerance 1 --max-differing 38)
   list(APPEND swiftshader_programs swiftshader-golden-${scene})
 endforeach()

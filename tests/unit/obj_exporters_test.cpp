@@ -1,6 +1,5 @@
 // What exporters write although the format's description has it otherwise: it loads, and where that changes
 // what is seen, a warning says so.
-#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -146,18 +145,6 @@ TEST(ReadObj, ChangesAreCountedOverAllParts) {
       "odd.obj:12: 100 faces have their own normal, the first in this line: only some corners have a normal"};
   for (const std::size_t partBytes : {1, 100, 1000, 100000})
     EXPECT_EQ(parseObj(text, "odd.obj", partBytes).warnings, expected);
-}
-
-TEST(SharedCases, AreTheSameMesh) {
-  const auto folder = std::filesystem::path(LAVARAY_SHARED_DIR) / "cases" / "obj";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
-  const Mesh plain = readObj(folder / "plain.obj");
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const Mesh mesh = readObj(entry.path());
-    EXPECT_EQ(mesh.triangles, plain.triangles) << entry.path();
-    EXPECT_TRUE(std::equal(plain.positions.begin(), plain.positions.end(), mesh.positions.begin()))
-        << entry.path();
-  }
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "support/closed_forms.hpp"
+#include "unit/sampled_scenes.hpp"
 
 namespace lavaray {
 namespace {
@@ -23,23 +23,9 @@ using oracle::Options;
 using oracle::Pixel;
 using oracle::Result;
 
-constexpr double kPi = std::numbers::pi;
-
-// At the origin, 101 x 101 pixels, the middle one looking along -z.
-Scene sceneWithView(double fovDegrees) {
-  Scene scene;
-  scene.camera = {dvec3(0.0), fovDegrees, 50.5 / std::tan(fovDegrees * kPi / 360.0), 1.0};
-  return scene;
-}
-
 // So narrow that all of a pixel sees one point, as far as any test here can tell.
 Scene narrowScene() {
   return sceneWithView(0.001);
-}
-
-std::uint32_t addMaterial(Scene& scene, const Material& material) {
-  scene.materials.push_back(material);
-  return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
 // Shows 0.5 (1 + visible part of a light of ambient 1).
@@ -49,21 +35,8 @@ Material visibility() {
   return material;
 }
 
-Material glow(const dvec3& color) {
-  Material material;
-  material.ambient = color;
-  return material;
-}
-
 Light ambientLight(const dvec3& position, double radius) {
   return {position, dvec3(1.0), dvec3(0.0), dvec3(0.0), radius};
-}
-
-Options sampled(int samples, std::uint64_t seed = 1) {
-  Options options;
-  options.samples = samples;
-  options.seed = seed;
-  return options;
 }
 
 Pixel middlePixel(const Scene& scene, int samples) {
@@ -83,7 +56,6 @@ void expectWithin(double value, double expected, double standardError, double un
 }
 
 TEST(OracleSampling, AreaOfASpheresImage) {
-  constexpr double kFocalLength = 50.5;
   for (const dvec3& center : {dvec3(0.0, 0.0, -10.0), dvec3(2.0, 1.0, -10.0)}) {
     Scene scene = sceneWithView(90.0);
     scene.spheres = {{center, 4.0, addMaterial(scene, glow(dvec3(1.0, 0.5, 7.0)))}};
@@ -192,100 +164,6 @@ TEST(OracleSampling, DiffuseLightOfASphere) {
   expectWithin(pixel.color.x, 0.5 + 0.25 - 0.0625, pixel.standardError.x);
   scene.lights = {ambientLight(point + dvec3(1.0, 2.0, 2.0), 5.0)};
   EXPECT_EQ(visiblePart(middlePixel(scene, 100)), 1.0);
-}
-
-// The walls x = -2.5 and x = 2.5 are perfect mirrors. Cell k of the unfolded room is the room, mirrored k
-// times.
-constexpr double kHalfWidth = 2.5;
-const dvec3 kBall(0.8, -0.7, -6.0);
-const dvec3 kLamp(-1.5, 2.0, -2.0);
-
-dvec3 inCell(const dvec3& point, int cell) {
-  return {2.0 * kHalfWidth * cell + (cell % 2 == 0 ? point.x : -point.x), point.y, point.z};
-}
-
-Scene mirrorRoom(const Material& ball, const Material& wall) {
-  Scene scene = sceneWithView(90.0);
-  scene.spheres = {{kBall, 1.2, addMaterial(scene, ball)}};
-  scene.planes = {{dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, -10.0), addMaterial(scene, wall)}};
-  Material mirror;
-  mirror.reflectance = dvec3(1.0);
-  for (const double x : {-kHalfWidth, kHalfWidth}) {
-    scene.planes.push_back({dvec3(1.0, 0.0, 0.0), dvec3(x, 0.0, 0.0), addMaterial(scene, mirror)});
-  }
-  return scene;
-}
-
-Scene unfoldedRoom(const Material& ball, const Material& wall) {
-  Scene scene = sceneWithView(90.0);
-  const std::uint32_t balls = addMaterial(scene, ball);
-  for (int cell = -2; cell <= 2; ++cell) scene.spheres.push_back({inCell(kBall, cell), 1.2, balls});
-  scene.planes = {{dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, -10.0), addMaterial(scene, wall)}};
-  return scene;
-}
-
-TEST(OracleSampling, AMirrorRoomIsTheUnfoldedScene) {
-  const Material ball = glow(dvec3(0.9, 0.2, 0.1));
-  const Material wall = glow(dvec3(0.1, 0.3, 0.8));
-  const Result mirrors = oracle::render(mirrorRoom(ball, wall), sampled(16));
-  const Result unfolded = oracle::render(unfoldedRoom(ball, wall), sampled(16));
-  int different = 0;
-  for (std::size_t i = 0; i < mirrors.pixels.size(); ++i) {
-    if (glm::distance(mirrors.pixels[i].color, unfolded.pixels[i].color) > 1e-12) ++different;
-  }
-  EXPECT_LE(different, 1);  // a silhouette that rounding moves across a sample
-}
-
-// With lights there is no single unfolded scene, as the lamp of a cell does not shine into the next. So each
-// pixel must be that of the unfolded scene with the lamp in one of the cells.
-TEST(OracleSampling, AMirrorRoomIsLitAsTheUnfoldedScene) {
-  const Material ball{dvec3(0.05), dvec3(0.6, 0.3, 0.2), dvec3(0.4), 20.0, dvec3(0.0)};
-  const Material wall{dvec3(0.1), dvec3(0.2, 0.3, 0.5), dvec3(0.3), 5.0, dvec3(0.0)};
-  const Light lamp{kLamp, dvec3(0.1), dvec3(0.9), dvec3(0.8), 0.0};
-  Scene room = mirrorRoom(ball, wall);
-  room.lights = {lamp};
-  Options options;
-  options.probeOffset = 0.0;
-  const Result mirrors = oracle::render(room, options);
-  std::vector<double> nearest(mirrors.pixels.size(), HUGE_VAL);
-  for (int cell = -2; cell <= 2; ++cell) {
-    Scene scene = unfoldedRoom(ball, wall);
-    scene.lights = {lamp};
-    scene.lights[0].position = inCell(kLamp, cell);
-    const Result unfolded = oracle::render(scene, options);
-    for (std::size_t i = 0; i < nearest.size(); ++i) {
-      nearest[i] = std::min(nearest[i], glm::distance(mirrors.pixels[i].color, unfolded.pixels[i].color));
-    }
-  }
-  int different = 0;
-  for (const double distance : nearest) different += distance > 1e-10 ? 1 : 0;
-  EXPECT_LE(different, 1);
-}
-
-TEST(OracleSampling, FacingMirrorsAddUpToTheGeometricSeries) {
-  constexpr double kGlow = 0.05;
-  const dvec3 reflectance(0.9, 0.5, 0.2);
-  Scene scene = sceneWithView(90.0);
-  Material mirror = glow(dvec3(kGlow));
-  mirror.reflectance = reflectance;
-  for (const double z : {-10.0, 4.0}) {
-    scene.planes.push_back({dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, z), addMaterial(scene, mirror)});
-  }
-  dvec3 last(0.0);
-  for (const int depth : {0, 1, 2, 8, 32}) {
-    Options options = sampled(4);
-    options.maxDepth = depth;
-    options.x1 = options.y1 = 2;
-    const Pixel pixel = oracle::render(scene, options).pixels.at(3);
-    for (int channel = 0; channel < 3; ++channel) {
-      const double r = reflectance[channel];
-      EXPECT_NEAR(pixel.color[channel], kGlow * (1.0 - std::pow(r, depth + 1)) / (1.0 - r), 1e-12);
-      EXPECT_LE(pixel.color[channel], kGlow / (1.0 - r));
-      EXPECT_GT(pixel.color[channel], last[channel]);
-      EXPECT_NEAR(pixel.standardError[channel], 0.0, 1e-15);
-    }
-    last = pixel.color;
-  }
 }
 
 Scene softScene() {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "device/trace_rays.hpp"
+#include "scene/scene.hpp"
+
+namespace lavaray {
+
+// Scenes, each with rays that are hard for a traversal of it.
+
+struct SceneAndRays {
+  Scene scene;
+  std::vector<gpu::ProbeRay> rays;
+};
+
+struct TraversalScene {
+  const char* name;
+  SceneAndRays (*make)(std::size_t rayCount);
+  // Of the rays, how many may hit another primitive than brute force, at the same distance. Where a hit is
+  // near compared with the size of its triangle, rounding moves it by more than the boxes are widened by, and
+  // the box of a second triangle there can seem to lie behind it.
+  double maxTies = 0.0;
+};
+
+// All of them, and the name of one in those of the tests.
+std::vector<TraversalScene> traversalScenes();
+std::ostream& operator<<(std::ostream& out, const TraversalScene& scene);
+std::string traversalSceneName(const testing::TestParamInfo<TraversalScene>& test);
+
+}  // namespace lavaray
