@@ -1,86 +1,70 @@
-#include <iomanip>
 #include <ostream>
+
+#include <nlohmann/json.hpp>
 
 #include "report.hpp"
 
 namespace lavaray::bench {
 namespace {
 
-// Text of this program's own making: it has no control characters.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
+using Json = nlohmann::ordered_json;
+
+Json orNull(const std::optional<std::size_t>& value) {
+  return value ? Json(*value) : Json();
 }
 
-template <typename Element, typename Write>
-void writeList(std::ostream& out, const std::vector<Element>& elements, const Write& write) {
-  out << '[';
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (i > 0) out << ", ";
-    write(elements[i]);
-  }
-  out << ']';
+template <typename Element, typename ToJson>
+Json list(const std::vector<Element>& elements, const ToJson& toJson) {
+  Json result = Json::array();
+  for (const Element& element : elements) result.push_back(toJson(element));
+  return result;
 }
 
-void writeOptional(std::ostream& out, const std::optional<std::size_t>& value) {
-  if (value) {
-    out << *value;
-  } else {
-    out << "null";
-  }
-}
-
-void writeTimings(std::ostream& out, const std::vector<Timing>& timings) {
-  const auto number = [&](double value) { out << value; };
-  writeList(out, timings, [&](const Timing& timing) {
-    out << "{\"name\": " << quoted(timing.name) << ", \"cpu\": ";
-    writeList(out, timing.cpu, number);
-    out << ", \"wall\": ";
-    writeList(out, timing.wall, number);
-    out << '}';
+Json timingsJson(const std::vector<Timing>& timings) {
+  return list(timings, [](const Timing& timing) -> Json {
+    return {{"name", timing.name}, {"cpu", timing.cpu}, {"wall", timing.wall}};
   });
 }
 
-void writeBatch(std::ostream& out, const BatchResult& batch) {
-  out << "\n    {\"name\": " << quoted(batch.name) << ", \"rays\": " << batch.rays
-      << ", \"hits\": " << batch.hits << ", \"unfinished\": " << batch.unfinished << ", \"disagreements\": ";
-  writeOptional(out, batch.disagreements);
-  out << ", \"timings\": ";
-  writeTimings(out, batch.timings);
-  out << '}';
+Json batchJson(const BatchResult& batch) {
+  return {{"name", batch.name},
+          {"rays", batch.rays},
+          {"hits", batch.hits},
+          {"unfinished", batch.unfinished},
+          {"disagreements", orNull(batch.disagreements)},
+          {"timings", timingsJson(batch.timings)}};
 }
 
-void writeScene(std::ostream& out, const SceneResult& scene) {
-  out << "\n  {\"name\": " << quoted(scene.name) << ", \"what\": " << quoted(scene.what)
-      << ", \"spheres\": " << (scene.isSpheres ? "true" : "false") << ", \"primitives\": " << scene.primitives
-      << ", \"bytes\": " << scene.bytes << ", \"peer_bytes\": ";
-  writeOptional(out, scene.peerBytes);
-  out << ",\n   \"batches\": ";
-  writeList(out, scene.batches, [&](const BatchResult& batch) { writeBatch(out, batch); });
-  out << ",\n   \"picture\": {\"rays\": " << scene.picture.rays << ", \"differing_pixels\": ";
-  writeOptional(out, scene.picture.differingPixels);
-  out << ", \"timings\": ";
-  writeTimings(out, scene.picture.timings);
-  out << "},\n   \"builds\": ";
-  writeTimings(out, scene.builds);
-  out << '}';
+Json pictureJson(const PictureResult& picture) {
+  return {{"rays", picture.rays},
+          {"differing_pixels", orNull(picture.differingPixels)},
+          {"timings", timingsJson(picture.timings)}};
+}
+
+Json sceneJson(const SceneResult& scene) {
+  return {{"name", scene.name},
+          {"what", scene.what},
+          {"spheres", scene.isSpheres},
+          {"primitives", scene.primitives},
+          {"bytes", scene.bytes},
+          {"peer_bytes", orNull(scene.peerBytes)},
+          {"batches", list(scene.batches, batchJson)},
+          {"picture", pictureJson(scene.picture)},
+          {"builds", timingsJson(scene.builds)}};
 }
 
 }  // namespace
 
 void writeJson(std::ostream& out, const Results& results) {
-  out << std::setprecision(6) << "{\"device\": " << quoted(results.device)
-      << ", \"peer\": " << quoted(results.peer) << ", \"threads\": " << results.threads << ", \"size\": ["
-      << results.size.width << ", " << results.size.height << "], \"rounds\": " << results.rounds
-      << ",\n \"skipped\": ";
-  writeList(out, results.skipped, [&](const std::string& reason) { out << quoted(reason); });
-  out << ",\n \"scenes\": ";
-  writeList(out, results.scenes, [&](const SceneResult& scene) { writeScene(out, scene); });
-  out << "}\n";
+  const Json json = {{"device", results.device},
+                     {"peer", results.peer},
+                     {"threads", results.threads},
+                     {"size", Json::array({results.size.width, results.size.height})},
+                     {"rounds", results.rounds},
+                     {"skipped", results.skipped},
+                     {"scenes", list(results.scenes, sceneJson)}};
+  // A folder's name need not be UTF-8, which JSON must be.
+  out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace lavaray::bench
