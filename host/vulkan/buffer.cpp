@@ -18,7 +18,7 @@ constexpr VkMemoryPropertyFlags kOnHost =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 constexpr VkMemoryPropertyFlags kHostCached = kOnHost | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 
-// The first memory type that the buffer may use and that has all of the properties.
+// The first memory type that is allowed and has all of the properties.
 std::optional<std::uint32_t> findMemoryType(const Device& device, std::uint32_t allowedTypes,
                                             VkMemoryPropertyFlags properties) {
   for (std::uint32_t type = 0; type < device.memory().memoryTypeCount; ++type) {
@@ -32,7 +32,7 @@ std::string inMegabytes(std::uint64_t bytes) {
   return std::to_string((bytes + (1U << 20U) - 1) >> 20U) + " MiB";
 }
 
-// A larger buffer could be made, but a shader would not reach its end.
+// A larger buffer can be made, but a shader could not reach its end.
 void checkReach(const Device& device, const std::string& name, BufferUse use, std::size_t size) {
   const std::uint64_t reach = use == BufferUse::kTexels
                                   ? std::uint64_t{device.limits().texelBufferElements} * kTexelBytes

@@ -15,13 +15,13 @@ enum class BufferUse {
 
 inline constexpr std::size_t kTexelBytes = 16;
 
-// A buffer with its memory. `name` stands in error messages.
+// A buffer and its memory. `name` is what error messages call it.
 class Buffer {
  public:
   // A storage buffer that the host reads and writes through bytes().
   static Buffer shared(Device& device, const std::string& name, std::size_t size);
-  // A buffer that the device reads, filled with `content`, which is not empty; in the device's own memory.
-  // Throws Error(kDevice) naming size and limit where it is more than a shader can reach.
+  // A buffer for the device to read, in the device's own memory, filled with `content`, which must not be
+  // empty. Throws Error(kDevice) naming size and limit if it is more than a shader can reach.
   static Buffer uploaded(Device& device, const std::string& name, BufferUse use,
                          std::span<const std::byte> content);
 
@@ -29,7 +29,7 @@ class Buffer {
   [[nodiscard]] VkBufferView view() const { return view_.get(); }  // of kTexels
   [[nodiscard]] BufferUse use() const { return use_; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  // Where the host sees the buffer; null where it does not.
+  // The buffer as the host sees it; null if it does not.
   [[nodiscard]] std::byte* bytes() const { return mapped_; }
 
  private:

@@ -8,16 +8,16 @@
 
 namespace lavaray::vulkan {
 
-// A compute shader with its buffers bound, ready to be dispatched. Binding i of descriptor set 0 is
-// buffers[i], and specialization constant i has the value specialization[i] (a bool is 0 or 1).
+// A compute shader with its buffers bound, ready to dispatch. Binding i of descriptor set 0 is buffers[i];
+// specialization constant i is specialization[i] (0 or 1 for a bool).
 class ComputeShader {
  public:
-  // `buffers` must outlive the shader; a binding's kind is its buffer's use.
+  // `buffers` must outlive the shader; their use decides the bindings' descriptor types.
   ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
                 std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
                 std::size_t pushConstantSize);
 
-  // Runs `groups` work groups and waits until the host can read what they wrote.
+  // Runs `groups` work groups and returns once the host can read what they wrote.
   void dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants);
 
  private:

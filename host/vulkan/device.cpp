@@ -7,7 +7,7 @@
 namespace lavaray::vulkan {
 namespace {
 
-// A family without graphics, where there is one, does not queue behind a desktop's drawing.
+// Prefers a family without graphics, whose work does not queue behind a desktop's drawing.
 std::uint32_t computeFamily(VkPhysicalDevice device) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
@@ -77,7 +77,7 @@ Device::Device(const DeviceDescription& description) : description_(description)
 }
 
 Device::~Device() {
-  // The handles below belong to the device and must go before it.
+  // They belong to the device and must go before it.
   pipelines_.reset();
   fence_ = {};
   pool_ = {};

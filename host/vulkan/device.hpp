@@ -16,8 +16,8 @@ struct DeviceLimits {
   std::uint32_t workGroupsX;  // of one dispatch
 };
 
-// A logical device with one compute queue. Work is recorded, submitted and waited for in one call: the
-// program never has two pieces of work under way.
+// A logical device with one compute queue. One call records work, submits it and waits for it: the program
+// never has two submissions in flight.
 class Device {
  public:
   explicit Device(const DeviceDescription& description);
@@ -32,7 +32,7 @@ class Device {
 
   [[nodiscard]] Pipelines& pipelines() { return *pipelines_; }
 
-  // Records commands by `record`, submits them and waits until they are done.
+  // Lets `record` record commands, submits them and waits until they are done.
   void submit(const std::function<void(VkCommandBuffer)>& record);
 
  private:

@@ -23,7 +23,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// A pattern may have a * at either end, and ~all~ fits everything.
+// A pattern may have a * at either end; ~all~ matches everything.
 bool fits(std::string_view name, std::string_view pattern) {
   if (pattern == "~all~" || pattern == "*" || pattern == "**") return true;
   const bool anyBegin = pattern.starts_with('*');
@@ -35,7 +35,7 @@ bool fits(std::string_view name, std::string_view pattern) {
   return anyEnd ? name.starts_with(pattern) : name == pattern;
 }
 
-// Whether a file name fits a pattern of a list; case does not matter.
+// Whether the file name matches a pattern in the list, ignoring case.
 bool isListed(const std::string& manifest, const std::string& list) {
   const std::string name = lower(std::filesystem::path(manifest).filename());
   std::istringstream patterns(lower(list));

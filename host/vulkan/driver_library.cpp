@@ -14,7 +14,7 @@
 namespace lavaray::vulkan {
 namespace {
 
-using ElfHeader = std::array<char, 20>;  // the part that is the same for 32 and 64 bits: up to e_machine
+using ElfHeader = std::array<char, 20>;  // up to e_machine: what 32 and 64 bits have in common
 
 bool readHeader(const std::string& file, ElfHeader& header) {
   std::ifstream in(file, std::ios::binary);
@@ -46,7 +46,7 @@ std::string machineName(const ElfHeader& header) {
   }
 }
 
-// The system's own answer to a library of another machine is that there is no such file.
+// Of a library for another machine the system itself says that there is no such file.
 std::string problemOfFile(const std::string& library) {
   std::error_code error;
   if (!std::filesystem::exists(library, error)) return " is not there";
@@ -68,7 +68,7 @@ std::string problemOfFile(const std::string& library) {
   return {};
 }
 
-// The words of glibc's dlerror() where a file is missing, after its name.
+// What glibc's dlerror() says of a missing file, after its name.
 constexpr const char* kMissing = ": cannot open shared object file: No such file or directory";
 
 std::string problemOfLoading(const std::string& library, const std::string& reason) {

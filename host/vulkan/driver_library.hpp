@@ -4,12 +4,13 @@
 
 namespace lavaray::vulkan {
 
-// Opens a library of a driver and never closes it, since some drivers do not survive that. Null where that
-// fails, and `problem` then says why, to be said after the manifest: `, whose library "/x.so" is not there`.
+// Opens a driver's library, and never closes it, which some drivers do not survive. Returns null if that
+// fails; `problem` then says why, worded to follow the manifest's name: `, whose library "/x.so" is not
+// there`.
 void* openDriverLibrary(const std::string& library, std::string& problem);
 
-// What NVIDIA's driver misses, if `library` is its: it says itself only that it does not start, and starts
-// only where libraries for windows are, even if there are none. Empty where nothing is missing.
+// Which libraries NVIDIA's driver lacks, if `library` is part of it; else, or if none, empty. The driver
+// itself only says that it does not start. It needs libraries for windows even to draw in none.
 std::string missingForNvidia(const std::string& library);
 
 }  // namespace lavaray::vulkan

@@ -24,10 +24,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Far more than any driver takes, even one of a GPU that has to wake up.
+// Far longer than any driver takes, even that of a GPU that has to wake up.
 constexpr auto kPatience = std::chrono::seconds(20);
 
-// What the loader and a driver agree upon (vulkan/vk_icd.h): the version that both speak.
+// How loader and driver agree on the version of their interface (vulkan/vk_icd.h).
 using Negotiate = VkResult(VKAPI_PTR*)(std::uint32_t* version);
 constexpr std::uint32_t kInterfaceVersion = 5;
 
@@ -54,7 +54,7 @@ DriverAnswer faulty(const std::string& text, const std::string& library) {
   return {DriverState::kFaulty, text + missingForNvidia(library)};
 }
 
-// The driver's function of that name, by way of the loader's interface; null where it has none.
+// The driver's function of that name, through the loader's interface; null if it has none.
 template <typename Function>
 Function function(PFN_vkGetInstanceProcAddr get, VkInstance instance, const char* name) {
   return reinterpret_cast<Function>(get(instance, name));
@@ -89,7 +89,7 @@ VkResult createInstance(PFN_vkGetInstanceProcAddr get, PFN_vkCreateInstance crea
   return create(&info, nullptr, &instance);
 }
 
-// In the child, which ends thereafter, so that nothing is destroyed.
+// Runs in the child, which ends afterwards, so nothing needs destroying.
 DriverAnswer ask(const std::string& library) {
   std::string problem;
   void* handle = openDriverLibrary(library, problem);
@@ -130,12 +130,12 @@ DriverAnswer ask(const std::string& library) {
     const DriverAnswer answer = ask(library);
     const std::string line = std::to_string(static_cast<int>(answer.state)) + answer.text;
     code = write(out, line.data(), line.size()) == static_cast<ssize_t>(line.size()) ? 0 : 1;
-  } catch (const std::exception&) {  // no memory; the parent sees that nothing is said
+  } catch (const std::exception&) {  // no memory; the parent notices the silence
   }
   _exit(code);
 }
 
-// All that the child says, until it ends. False where it says nothing for too long.
+// Reads all that the child says until it ends. False if that takes too long.
 bool readAll(int in, std::string& text) {
   const Clock::time_point end = Clock::now() + kPatience;
   char buffer[512];
@@ -157,8 +157,8 @@ bool readAll(int in, std::string& text) {
 DriverAnswer probeDriver(const std::string& library) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());
-  // There may be other threads. After fork() glibc's own locks are free again in the child, those of malloc
-  // and of dlopen among them, and no other lock that a thread may have held is needed there.
+  // There may be other threads. After fork(), glibc's own locks are free in the child, malloc's and dlopen's
+  // among them, and the child needs no other lock that a thread may have held.
   const pid_t child = fork();
   if (child < 0) {
     const int error = errno;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As the loader asks: nothing from the environment of a set-user-id program.
+// Like the loader, ignores the environment of a set-user-id program.
 std::optional<std::string> variable(const char* name) {
   const char* value = secure_getenv(name);
   if (value == nullptr) return std::nullopt;
@@ -36,7 +36,7 @@ bool isManifestName(std::string_view name) {
   return name.size() > 5 && name.ends_with(".json");
 }
 
-// Why a file of that name is not there, where the name itself tells.
+// Why there is no file of that name, if the name itself gives it away.
 std::string hint(const std::string& name) {
   if (name.find(".json,") != std::string::npos || name.find(".json;") != std::string::npos) {
     return "; colons separate the files of a list, not commas or semicolons";
@@ -54,35 +54,36 @@ std::vector<std::string> manifestsIn(const std::string& folder) {
   return names;
 }
 
-void addNamed(const std::string& by, const std::string& name, std::vector<ManifestPlace>& places) {
+void addNamed(const std::string& by, const std::string& name, std::vector<ManifestCandidate>& candidates) {
   const std::string naming = by + " names " + inQuotes(name);
   std::error_code error;
   const fs::file_status status = fs::status(name, error);
   if (isManifestName(name)) {
-    places.push_back({name, naming,
-                      fs::exists(status) || status.type() == fs::file_type::none
-                          ? std::string()
-                          : ", which is not there" + hint(name)});
+    candidates.push_back({name, naming,
+                          fs::exists(status) || status.type() == fs::file_type::none
+                              ? std::string()
+                              : ", which is not there" + hint(name)});
   } else if (fs::is_directory(status)) {
     const std::vector<std::string> files = manifestsIn(name);
     for (const std::string& file : files) {
-      places.push_back({fs::path(name) / file,
-                        by + " names the folder " + inQuotes(name) + ", which holds " + inQuotes(file),
-                        {}});
+      candidates.push_back({fs::path(name) / file,
+                            by + " names the folder " + inQuotes(name) + ", which holds " + inQuotes(file),
+                            {}});
     }
     if (files.empty()) {
-      places.push_back(
+      candidates.push_back(
           {name, by + " names the folder " + inQuotes(name), ", which holds no manifest to be read"});
     }
   } else {
-    places.push_back({name, naming,
-                      fs::exists(status) ? ", which does not end in .json, so that it is not read"
-                                         : ", which is not there" + hint(name)});
+    candidates.push_back({name, naming,
+                          fs::exists(status) ? ", which does not end in .json, so that it is not read"
+                                             : ", which is not there" + hint(name)});
   }
 }
 
-void addListed(const char* variableName, const std::string& list, std::vector<ManifestPlace>& places) {
-  for (const std::string& name : split(list)) addNamed(inQuotes(variableName), name, places);
+void addListed(const char* variableName, const std::string& list,
+               std::vector<ManifestCandidate>& candidates) {
+  for (const std::string& name : split(list)) addNamed(inQuotes(variableName), name, candidates);
 }
 
 std::vector<std::string> searchedFolders(const char* subfolder) {
@@ -96,30 +97,30 @@ std::vector<std::string> searchedFolders(const char* subfolder) {
   return folders;
 }
 
-// The first of the variables that is set, even to nothing, replaces all else; `additional` is added in front.
-std::vector<ManifestPlace> find(std::initializer_list<const char*> replacing, const char* additional,
-                                const char* subfolder) {
-  std::vector<ManifestPlace> places;
+// The first of the variables that is set, even to nothing, recandidates all else; `additional` comes first.
+std::vector<ManifestCandidate> find(std::initializer_list<const char*> replacing, const char* additional,
+                                    const char* subfolder) {
+  std::vector<ManifestCandidate> candidates;
   for (const char* name : replacing) {
     const auto list = variable(name);
     if (!list) continue;
-    addListed(name, *list, places);
-    if (places.empty()) {
-      places.push_back(
+    addListed(name, *list, candidates);
+    if (candidates.empty()) {
+      candidates.push_back(
           {{}, inQuotes(name), " is set, but empty, so that no manifest is looked for; unset it"});
     }
-    return places;
+    return candidates;
   }
   if (additional != nullptr) {
-    if (const auto list = variable(additional)) addListed(additional, *list, places);
+    if (const auto list = variable(additional)) addListed(additional, *list, candidates);
   }
   for (const std::string& folder : searchedFolders(subfolder)) {
     for (const std::string& file : manifestsIn(folder)) {
-      places.push_back(
+      candidates.push_back(
           {fs::path(folder) / file, "the folder " + inQuotes(folder) + " holds " + inQuotes(file), {}});
     }
   }
-  return places;
+  return candidates;
 }
 
 }  // namespace
@@ -150,15 +151,15 @@ std::vector<std::string> driverFolders() {
   return searchedFolders("icd.d");
 }
 
-std::vector<ManifestPlace> findDriverManifests() {
+std::vector<ManifestCandidate> findDriverManifests() {
   return find({"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}, "VK_ADD_DRIVER_FILES", "icd.d");
 }
 
-std::vector<ManifestPlace> findImplicitLayerManifests() {
+std::vector<ManifestCandidate> findImplicitLayerManifests() {
   return find({}, nullptr, "implicit_layer.d");
 }
 
-std::vector<ManifestPlace> findExplicitLayerManifests() {
+std::vector<ManifestCandidate> findExplicitLayerManifests() {
   return find({"VK_LAYER_PATH"}, "VK_ADD_LAYER_PATH", "explicit_layer.d");
 }
 

@@ -10,7 +10,7 @@
 namespace lavaray::vulkan {
 namespace {
 
-// Since this version a byte-order mark is no fault to the loader, whose reader of JSON changed.
+// From this version on, the loader's JSON reader accepts a byte-order mark.
 constexpr std::uint32_t kAcceptsMarkFrom = VK_MAKE_API_VERSION(0, 1, 4, 303);
 
 bool loaderAcceptsMark() {
@@ -21,22 +21,24 @@ bool loaderAcceptsMark() {
   return version != nullptr && version(&number) == VK_SUCCESS && number >= kAcceptsMarkFrom;
 }
 
-SurveyedDriver surveyDriver(const ManifestPlace& place, bool acceptsMark) {
-  if (!place.problem.empty()) return {place.file, DriverState::kFaulty, place.naming + place.problem};
-  const ManifestContents contents = readDriverManifest(place.file, acceptsMark);
-  if (!contents.problem.empty()) return {place.file, DriverState::kFaulty, place.naming + contents.problem};
-  const std::string unused = whyFilteredOut(place.file);
-  if (!unused.empty()) return {place.file, DriverState::kUnused, place.naming + unused};
+SurveyedDriver surveyDriver(const ManifestCandidate& candidate, bool acceptsMark) {
+  if (!candidate.problem.empty())
+    return {candidate.file, DriverState::kFaulty, candidate.naming + candidate.problem};
+  const ManifestContents contents = readDriverManifest(candidate.file, acceptsMark);
+  if (!contents.problem.empty())
+    return {candidate.file, DriverState::kFaulty, candidate.naming + contents.problem};
+  const std::string unused = whyFilteredOut(candidate.file);
+  if (!unused.empty()) return {candidate.file, DriverState::kUnused, candidate.naming + unused};
   const DriverAnswer answer = probeDriver(contents.library);
-  return {place.file, answer.state, place.naming + answer.text};
+  return {candidate.file, answer.state, candidate.naming + answer.text};
 }
 
-std::vector<SurveyedLayer> surveyLayers(const std::vector<ManifestPlace>& places, bool acceptsMark) {
+std::vector<SurveyedLayer> surveyLayers(const std::vector<ManifestCandidate>& candidates, bool acceptsMark) {
   std::vector<SurveyedLayer> layers;
-  for (const ManifestPlace& place : places) {
-    if (!place.problem.empty()) continue;  // It keeps no loader from its work.
-    const ManifestContents contents = readLayerManifest(place.file, acceptsMark);
-    layers.push_back({place.file, contents.isUnparsable, place.naming + contents.problem});
+  for (const ManifestCandidate& candidate : candidates) {
+    if (!candidate.problem.empty()) continue;  // which troubles no loader
+    const ManifestContents contents = readLayerManifest(candidate.file, acceptsMark);
+    layers.push_back({candidate.file, contents.isUnparsable, candidate.naming + contents.problem});
   }
   return layers;
 }
@@ -73,8 +75,8 @@ bool DriverSurvey::canDoWithout() const {
 DriverSurvey surveyDrivers() {
   const bool acceptsMark = loaderAcceptsMark();
   DriverSurvey survey;
-  for (const ManifestPlace& place : findDriverManifests()) {
-    survey.drivers.push_back(surveyDriver(place, acceptsMark));
+  for (const ManifestCandidate& candidate : findDriverManifests()) {
+    survey.drivers.push_back(surveyDriver(candidate, acceptsMark));
   }
   survey.implicitLayers = surveyLayers(findImplicitLayerManifests(), acceptsMark);
   survey.explicitLayers = surveyLayers(findExplicitLayerManifests(), acceptsMark);

@@ -7,8 +7,8 @@
 
 namespace lavaray::vulkan {
 
-// Owns one Vulkan handle that a device destroys; move-only. `destroy` is a pointer to the function's pointer,
-// which is not known before the loader is open: Handle<VkFence, &vkDestroyFence>.
+// Owns a Vulkan handle that belongs to a device; move-only. `destroy` points to the function pointer, which
+// is unknown until the loader is open: Handle<VkFence, &vkDestroyFence>.
 template <typename Type, auto destroy>
 class Handle {
  public:

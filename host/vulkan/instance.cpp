@@ -112,7 +112,7 @@ std::string listing(std::span<const DeviceDescription> devices) {
   return text;
 }
 
-// The devices that a choice means: the one of that number, or all whose name contains it.
+// The device of that number, or all whose names contain the choice.
 std::vector<DeviceDescription> matching(std::span<const DeviceDescription> devices,
                                         const std::string& choice) {
   if (std::all_of(choice.begin(), choice.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
@@ -150,7 +150,7 @@ Instance::~Instance() {
   close();
 }
 
-// Anything but VK_SUCCESS: there is no device, and no instance either.
+// Leaves no instance open unless it returns VK_SUCCESS, which means that there is a device.
 VkResult Instance::open(bool validate) {
   VkResult result = create(validate);
   if (result != VK_SUCCESS) return result;
@@ -184,7 +184,7 @@ VkResult Instance::create(bool validate) {
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
   info.pApplicationInfo = &application;
   if (validate) {
-    info.pNext = &messenger;  // so that messages about vkCreateInstance itself are heard
+    info.pNext = &messenger;  // to hear messages about vkCreateInstance itself
     info.enabledLayerCount = 1;
     info.ppEnabledLayerNames = &kValidationLayer;
     info.enabledExtensionCount = 1;

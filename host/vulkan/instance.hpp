@@ -9,12 +9,12 @@
 
 namespace lavaray::vulkan {
 
-// The Vulkan instance; with validation, under the Khronos layer, whose warnings and errors go to stderr and
-// are counted.
+// The Vulkan instance. With validation it runs under the Khronos layer, whose warnings and errors are counted
+// and go to stderr.
 class Instance {
  public:
-  // Throws Error(kDevice), saying why, where there is no loader, no device, or no validation layer though it
-  // is asked for. Where some driver works and a broken manifest keeps the loader from it, uses it and warns.
+  // Throws Error(kDevice), saying why, if there is no loader, no device, or no validation layer to validate
+  // with. If a broken manifest keeps the loader from a driver that works, uses that driver and warns.
   explicit Instance(bool validate);
   ~Instance();
   Instance(const Instance&) = delete;
@@ -42,14 +42,14 @@ struct DeviceDescription {
   std::string name;
   std::string kind;    // discrete GPU, integrated GPU, virtual GPU, CPU, other
   std::string driver;  // name and version
-  int rank;            // the lower, the better a default
+  int rank;            // lower is a better default
   bool usable;         // it has Vulkan 1.2 and a compute queue
 };
 
 std::vector<DeviceDescription> listDevices(const Instance& instance);
 
-// Chooses by number or by part of the name, whatever its case; an empty choice is the best usable device.
-// Throws Error(kDevice), listing the devices, where there is none, or the choice fits none or more than one.
+// Chooses by number or by part of the name, ignoring case; an empty choice means the best usable device.
+// Throws Error(kDevice), listing the devices, if there is none or the choice does not fit exactly one.
 DeviceDescription chooseDevice(const Instance& instance, const std::string& choice);
 
 }  // namespace lavaray::vulkan

@@ -16,7 +16,7 @@ LAVARAY_INSTANCE_FUNCTIONS(LAVARAY_DEFINE)
 
 namespace {
 
-// Fetches one function into the pointer of its name.
+// Fetches a function into the pointer that has its name.
 template <typename Function>
 void fetch(VkInstance instance, const char* name, Function& function) {
   function = reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
@@ -32,7 +32,7 @@ void fetch(VkInstance instance, const char* name, Function& function) {
 void loadGlobalFunctions() {
   static std::once_flag once;
   std::call_once(once, [] {
-    // Never closed: drivers do not survive being unloaded and loaded again.
+    // Never closed: drivers do not survive being unloaded and reloaded.
     void* library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) {
       throw Error(ExitCode::kDevice,

@@ -3,8 +3,8 @@
 #define VK_NO_PROTOTYPES
 #include <vulkan/vulkan.h>
 
-// The Vulkan loader is opened at run time, not linked: so a machine without it gets a sentence that names the
-// package, and everything that needs no device works there.
+// The Vulkan loader is opened at run time, not linked, so that a machine without it is told which package to
+// install, and can still do everything that needs no device.
 
 namespace lavaray::vulkan {
 
@@ -28,18 +28,18 @@ namespace lavaray::vulkan {
   X(vkWaitForFences) X(vkResetFences)
 // clang-format on
 
-// Declared under the names of the specification, so that a call reads as it does everywhere.
+// Named as in the specification, so that a call reads as it does everywhere.
 extern PFN_vkGetInstanceProcAddr vkGetInstanceProcAddr;
 #define LAVARAY_DECLARE(name) extern PFN_##name name;
 LAVARAY_GLOBAL_FUNCTIONS(LAVARAY_DECLARE)
 LAVARAY_INSTANCE_FUNCTIONS(LAVARAY_DECLARE)
 #undef LAVARAY_DECLARE
 
-// Opens the loader and fetches the functions that need no instance; again is harmless. Throws Error(kDevice)
-// naming the package to install where there is no loader.
+// Opens the loader and fetches the functions that need no instance; calling it again does nothing. Throws
+// Error(kDevice) naming the package to install if there is no loader.
 void loadGlobalFunctions();
 
-// Fetches the other functions. The program has one instance at a time.
+// Fetches all other functions. The program has one instance at a time.
 void loadInstanceFunctions(VkInstance instance);
 
 }  // namespace lavaray::vulkan

@@ -13,14 +13,13 @@
 namespace lavaray::vulkan {
 namespace {
 
-// A base folder that cannot have anything in it, in place of none: an empty variable stands for the usual
-// folders.
+// A base folder that can hold nothing. It stands for none, since an empty variable means the usual folders.
 constexpr const char* kNoFolder = "/dev/null";
 
 using Variables = std::map<std::string, std::string>;
 
 void append(std::string& list, const std::string& file) {
-  if (file.find(':') != std::string::npos) return;  // No list can name it.
+  if (file.find(':') != std::string::npos) return;  // which no list can name
   list += (list.empty() ? "" : ":") + file;
 }
 
@@ -40,7 +39,7 @@ std::string soundLayers(const std::vector<SurveyedLayer>& layers) {
   return list;
 }
 
-// Implicit layers are found by base folders only, so one that has a broken one is left out as a whole.
+// Implicit layers are found through base folders only, so a folder with a broken one is left out whole.
 bool hasBrokenLayer(const std::string& base, const std::vector<SurveyedLayer>& layers) {
   const auto folder = std::filesystem::path(base) / "vulkan" / "implicit_layer.d";
   return std::any_of(layers.begin(), layers.end(), [&](const SurveyedLayer& layer) {
@@ -68,7 +67,7 @@ struct Table {
   std::vector<char*> pointers;
 };
 
-// Kept to the end: someone may still be reading it.
+// Kept until the process ends: someone may still be reading it.
 char** makeTable(const Variables& changed) {
   static auto& tables = *new std::vector<std::unique_ptr<Table>>;
   Table& table = *tables.emplace_back(std::make_unique<Table>());

@@ -7,14 +7,13 @@
 
 namespace lavaray::vulkan {
 
-// While it lives, the process has an environment of its own in which the loader sees only what the survey
-// found to be sound: the drivers that work, the layers that can be parsed. That is read by vkCreateInstance
-// and by nothing later.
+// While it lives, the process has an environment in which the loader sees only what the survey found sound:
+// drivers that work, layers that can be parsed. Only vkCreateInstance reads it.
 //
-// setenv() would change the table of variables under the eyes of other threads that call getenv(). Here the
-// table stays as it is and another, complete one takes its place by the store of one pointer: whoever reads
-// sees the one or the other, and both live on. Only one thread may do so at a time, and none may call
-// setenv() meanwhile, as nothing in the program does.
+// setenv() would change the table of variables while other threads may be calling getenv(). This leaves the
+// table alone and replaces it by another, complete one with the store of a single pointer: a reader sees one
+// or the other, and both live on. Only one thread may do this at a time, and no thread may call setenv()
+// meanwhile; nothing in the program does.
 class LoaderEnvironment {
  public:
   explicit LoaderEnvironment(const DriverSurvey& survey);

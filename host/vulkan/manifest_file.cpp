@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Real ones have less than a kilobyte; reading a megabyte takes no time yet.
+// Real ones have less than a kilobyte; a megabyte still takes no time to read.
 constexpr std::uintmax_t kMaxBytes = 1U << 20U;
 
 std::optional<std::string> readText(const std::string& file, std::string& problem) {
@@ -46,7 +46,8 @@ std::optional<std::string> readText(const std::string& file, std::string& proble
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-// Where and how a text fails to be JSON; `offset` counts the characters to the one that cannot stand there.
+// Where and how a text fails to be JSON; `offset` is the number of characters up to and including the wrong
+// one.
 std::string syntaxProblem(const std::string& text, std::size_t offset) {
   std::string until = text.substr(0, offset == 0 ? 0 : offset - 1);
   const bool isCutOff = offset > text.size();
@@ -73,7 +74,7 @@ Json parse(const std::string& text, bool acceptsMark, ManifestContents& contents
   }
   Json json;
   try {
-    std::istringstream(text) >> json;  // as the loader, which does not look at what follows the object
+    std::istringstream(text) >> json;  // like the loader, ignores what follows the object
     contents.isUnparsable = false;
   } catch (const Json::parse_error& error) {
     contents.problem = syntaxProblem(text, error.byte);
@@ -85,11 +86,11 @@ Json parse(const std::string& text, bool acceptsMark, ManifestContents& contents
 
 std::string pathOf(const std::string& library, const std::string& file) {
   if (library.find('/') == std::string::npos || library.starts_with('/')) return library;
-  // Absolute, or the system would look up what has no slash.
+  // Absolute, as the system would search its own folders for a name without a slash.
   return std::filesystem::absolute(std::filesystem::path(file).parent_path() / library).lexically_normal();
 }
 
-// What the loader passes the driver over for, and where it is found.
+// Why the loader passes the driver over, if it does; and where its library is.
 std::string readDriver(const Json& json, const std::string& file, std::string& library) {
   if (!json.is_object() || !json.contains("ICD") || !json["ICD"].is_object()) {
     return json.is_object() && (json.contains("layer") || json.contains("layers"))

@@ -9,7 +9,7 @@
 namespace lavaray::vulkan {
 namespace {
 
-constexpr std::size_t kMostLoaderMessages = 3;
+constexpr std::size_t kMaxLoaderMessages = 3;
 
 std::string below(const std::string& head, const std::vector<std::string>& lines) {
   if (lines.size() == 1) return head + ": " + lines[0];
@@ -28,12 +28,11 @@ VKAPI_ATTR VkBool32 VKAPI_CALL keepMessage(VkDebugUtilsMessageSeverityFlagBitsEX
                                            VkDebugUtilsMessageTypeFlagsEXT /*types*/,
                                            const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
   auto& kept = *static_cast<std::vector<std::string>*>(messages);
-  if (kept.size() < kMostLoaderMessages) kept.emplace_back(data->pMessage);
+  if (kept.size() < kMaxLoaderMessages) kept.emplace_back(data->pMessage);
   return VK_FALSE;
 }
 
-// Asks the loader once more, and listens to it. It is the last resort: its messages are about its own
-// functions.
+// Asks the loader once more, and listens. A last resort: its messages are about its own functions.
 std::vector<std::string> loaderMessages() {
   std::vector<std::string> messages;
   VkDebugUtilsMessengerCreateInfoEXT messenger{};

@@ -7,10 +7,10 @@
 
 namespace lavaray::vulkan {
 
-// Why there is no device, for a user. `result` is what the loader answered.
+// Why there is no device, in words for a user. `result` is what the loader answered.
 std::string explainNoDevice(const DriverSurvey& survey, VkResult result);
 
-// The same where there are devices, `listing`, but none that can be used.
+// The same if there are devices, `listing`, but none can be used.
 std::string explainUnusableDevices(const DriverSurvey& survey, const std::string& listing);
 
 }  // namespace lavaray::vulkan

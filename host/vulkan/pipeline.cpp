@@ -8,9 +8,9 @@
 namespace lavaray::vulkan {
 namespace {
 
-// More than most batches of scenes need. Someone who edits a shader under --watch makes a new one each time,
-// and one is some megabytes.
-constexpr std::size_t kMostKept = 32;
+// More than most runs of many scenes need. Every edit of a shader under --watch makes a new one, which takes
+// some megabytes.
+constexpr std::size_t kMaxKept = 32;
 
 }  // namespace
 
@@ -95,7 +95,7 @@ std::shared_ptr<const Pipeline> Pipelines::get(const PipelineSource& source) {
     Kept made(source);
     made.pipeline = std::make_shared<const Pipeline>(device_, source);
     kept_.push_front(std::move(made));
-    if (kept_.size() > kMostKept) kept_.pop_back();
+    if (kept_.size() > kMaxKept) kept_.pop_back();
   }
   return kept_.front().pipeline;
 }

@@ -11,7 +11,7 @@
 
 namespace lavaray::vulkan {
 
-// All that decides what a driver makes of a compute shader.
+// All that determines what a driver makes of a compute shader.
 struct PipelineSource {
   std::span<const std::uint32_t> spirv;
   std::span<const std::uint32_t> specialization;  // constant i is specialization[i]; a bool is 0 or 1
@@ -19,7 +19,7 @@ struct PipelineSource {
   std::size_t pushConstantSize;
 };
 
-// A shader as the driver has prepared it, without the buffers that it is to work on.
+// A shader as the driver has compiled it, without the buffers that it is to work on.
 class Pipeline {
  public:
   Pipeline(VkDevice device, const PipelineSource& source);
@@ -36,13 +36,12 @@ class Pipeline {
   Handle<VkPipeline, &vkDestroyPipeline> pipeline_;
 };
 
-// A device's pipelines, the last ones that were asked for: making one takes drivers longer than many a
-// render.
+// A device's most recently used pipelines: making one can take a driver longer than a whole render.
 class Pipelines {
  public:
   explicit Pipelines(VkDevice device) : device_(device) {}
 
-  // One that was made from the same source, or a new one.
+  // The one that was made from the same source, or a new one.
   std::shared_ptr<const Pipeline> get(const PipelineSource& source);
   void clear() { kept_.clear(); }
 
@@ -59,7 +58,7 @@ class Pipelines {
   };
 
   VkDevice device_;
-  std::list<Kept> kept_;  // the last one asked for first
+  std::list<Kept> kept_;  // the most recently used first
 };
 
 }  // namespace lavaray::vulkan

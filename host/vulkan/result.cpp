@@ -23,7 +23,7 @@ constexpr const char* kUnexplained =
     "the driver says no more than that it failed; a newer one, another --device or more memory may help";
 
 #define LAVARAY_RESULT(result) result, #result
-// Those that a function of the program can return. Debian's Vulkan headers come without
+// All that the functions which the program calls can return. A table, since Debian's Vulkan headers lack
 // vk_enum_string_helper.h.
 constexpr KnownResult kResults[] = {
     {LAVARAY_RESULT(VK_NOT_READY), kLate},
