@@ -32,7 +32,7 @@ void addRenderOptions(CLI::App& app, Options& options) {
   app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
 }
 
-// Throws Error(kUsage) where the text is no range.
+// Throws Error(kUsage) if the text is no range.
 SampleRange sampleRange(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string parts[] = {text.substr(0, colon), colon < text.size() ? text.substr(colon + 1) : ""};
@@ -46,12 +46,7 @@ SampleRange sampleRange(const std::string& text) {
   return {numbers[0], numbers[1]};
 }
 
-void addSamplingOptions(CLI::App& app, Options& options) {
-  CLI::Option* spp =
-      app.add_option("--spp", options.render.samples, "Samples per pixel; 1 is the pixel's centre")
-          ->type_name("N")
-          ->check(integerFrom(1, kMostSamples))
-          ->capture_default_str();
+void addFilterOption(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--filter",
          [&options](const std::string& name) { options.render.filter = pixelFilter(name).value(); },
@@ -64,6 +59,34 @@ void addSamplingOptions(CLI::App& app, Options& options) {
           },
           kPixelFilterNames)
       ->default_str(pixelFilterName(options.render.filter));
+}
+
+void addSamplerOption(CLI::App& app, Options& options) {
+  app.add_option_function<std::string>(
+         "--sampler",
+         [&options](const std::string& name) {
+           options.render.sampler =
+               name == samplerName(Sampler::kRandom) ? Sampler::kRandom : Sampler::kSobol;
+         },
+         "Sample positions; sobol is Owen-scrambled, random for comparison")
+      ->type_name("NAME")
+      ->check(
+          [](const std::string& name) {
+            return name == samplerName(Sampler::kSobol) || name == samplerName(Sampler::kRandom)
+                       ? std::string()
+                       : "there is no sampler " + name + ", allowed are " + kSamplerNames;
+          },
+          kSamplerNames)
+      ->default_str(samplerName(options.render.sampler));
+}
+
+void addSamplingOptions(CLI::App& app, Options& options) {
+  CLI::Option* spp =
+      app.add_option("--spp", options.render.samples, "Samples per pixel; 1 is the pixel's centre")
+          ->type_name("N")
+          ->check(integerFrom(1, kMostSamples))
+          ->capture_default_str();
+  addFilterOption(app, options);
   app.add_option("--target-error", options.render.targetError,
                  "Sample until the image's RMSE is estimated to be at most E (colours in 0..1)")
       ->type_name("E")
@@ -85,22 +108,7 @@ void addSamplingOptions(CLI::App& app, Options& options) {
       ->type_name("N")
       ->check(integerFrom(0, std::numeric_limits<std::uint32_t>::max()))
       ->capture_default_str();
-  app.add_option_function<std::string>(
-         "--sampler",
-         [&options](const std::string& name) {
-           options.render.sampler =
-               name == samplerName(Sampler::kRandom) ? Sampler::kRandom : Sampler::kSobol;
-         },
-         "Sample positions; sobol is Owen-scrambled, random for comparison")
-      ->type_name("NAME")
-      ->check(
-          [](const std::string& name) {
-            return name == samplerName(Sampler::kSobol) || name == samplerName(Sampler::kRandom)
-                       ? std::string()
-                       : "there is no sampler " + name + ", allowed are " + kSamplerNames;
-          },
-          kSamplerNames)
-      ->default_str(samplerName(options.render.sampler));
+  addSamplerOption(app, options);
 }
 
 void addViewOption(CLI::App& app, Options& options) {
