@@ -9,14 +9,14 @@
 namespace lavaray {
 namespace {
 
-// All that end a process that takes no notice of them, but SIGKILL and those of interrupt.hpp and
+// All signals that end a process by default, except SIGKILL and those of interrupt.hpp and
 // file_size_limit.hpp.
 constexpr std::array kDeadly = {SIGQUIT, SIGILL,  SIGTRAP, SIGABRT,   SIGFPE,  SIGUSR1, SIGSEGV,   SIGUSR2,
                                 SIGALRM, SIGXCPU, SIGPROF, SIGVTALRM, SIGPOLL, SIGPWR,  SIGSTKFLT, SIGSYS};
 std::array<struct sigaction, NSIG> before{};  // by signal
 
-// Hands on to what was there before, a sanitizer's handler or the system's way: a faulty access is made again
-// when this returns, and what another process has sent is sent again.
+// Hands over to the former handler, a sanitizer's or the system's own: when this returns, a faulty access is
+// repeated; a signal that another process has sent is sent again here.
 void onDeadlySignal(int signal, siginfo_t* info, void* /*context*/) {
   removeTemporaryFiles();
   sigaction(signal, &before[static_cast<std::size_t>(signal)], nullptr);

@@ -12,7 +12,7 @@
 namespace lavaray {
 namespace {
 
-std::string message;  // made beforehand, as a signal handler can make none
+std::string message;  // made in advance, as a signal handler cannot
 std::atomic<bool> wasLimitMet{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
@@ -20,8 +20,8 @@ void onFileTooLarge(int /*signal*/) {
   wasLimitMet = true;
 }
 
-// Only after a file could not grow is that the reason. Otherwise the access is made again, without this
-// handler, and ends the process as it would have; what another process has sent is sent again.
+// That is the reason only if a file could not grow before. Otherwise the access is repeated without this
+// handler, and ends the process as it would have; a signal that another process has sent is sent again.
 void onBusError(int signal, siginfo_t* info, void* /*context*/) {
   removeTemporaryFiles();
   if (!wasLimitMet || info->si_code != BUS_ADRERR) {

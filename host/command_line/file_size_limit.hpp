@@ -4,13 +4,13 @@
 
 namespace lavaray {
 
-// A limit on the size of files (`ulimit -f`) is to end a program with a message, not by a signal. A write
-// beyond it is an error from here on. Memory beyond it ends the process with ExitCode::kMemory, the message
-// begins with `programName`, and no temporary file stays.
+// From here on a limit on the size of files (`ulimit -f`) ends the program with a message, not by a signal.
+// Writing beyond it is an error. Memory beyond it ends the process with ExitCode::kMemory and a message that
+// begins with `programName`, and leaves no temporary file.
 //
-// Memory counts where a driver that renders on the CPU keeps it in a file without a name (memfd_create), as
-// Mesa 25's does. It takes no notice where the file cannot grow, so that the first access to what is not
-// there raises SIGBUS, in any thread, the driver's own among them.
+// The limit applies to memory if a driver that renders on the CPU keeps it in a nameless file (memfd_create),
+// as Mesa 25's does. That driver does not notice if the file cannot grow, so the first access beyond its end
+// raises SIGBUS, in any thread, even one of the driver's own.
 void surviveFileSizeLimit(const std::string& programName);
 
 }  // namespace lavaray

@@ -10,16 +10,16 @@
 namespace lavaray {
 namespace {
 
-// An argument or option, as the user is told of it.
+// An argument or option, in words for the user.
 struct Entry {
   bool isArgument;
   std::string names;
   std::string value;    // what it takes, or nothing
-  std::string allowed;  // values, where they are checked
+  std::string allowed;  // the values, if they are checked
   std::string text;     // sentences
 };
 
-// CLI11 tells by an exception that there is no check.
+// CLI11 throws if there is no check.
 std::string checkedFor(CLI::Option& option) {
   try {
     return option.get_validator()->get_description();
@@ -43,7 +43,7 @@ std::string sentence(std::string text) {
   return text;
 }
 
-// The others in the order of the table: CLI11 has them in that of their addresses.
+// In the order of the table: CLI11 orders them by their addresses.
 std::string listed(const std::string& beginning, const std::set<CLI::Option*>& others, CLI::App& app) {
   std::string names;
   for (CLI::Option* option : app.get_options()) {
@@ -59,7 +59,7 @@ Entry makeEntry(CLI::Option& option, CLI::App& app) {
   entry.allowed = checkedFor(option);
   if (!entry.isArgument && option.get_type_size() != 0) {
     entry.value = option.get_type_name();
-    // CLI11 puts the checks behind the type.
+    // CLI11 appends the checks to the type.
     if (!entry.allowed.empty()) entry.value.resize(entry.value.rfind(":" + entry.allowed));
   }
   entry.text = sentence(option.get_description());
@@ -88,7 +88,7 @@ std::string usage(CLI::App& app) {
   return text;
 }
 
-// `head` and, from column `begin` on, the words of `text` beside it, in lines of at most 80 columns.
+// `head` and beside it, from column `begin` on, the words of `text`, in lines of at most 80 columns.
 std::string beside(std::string head, const std::string& text, std::size_t begin) {
   constexpr std::size_t kWidth = 80;
   std::string lines;

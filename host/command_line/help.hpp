@@ -6,15 +6,15 @@
 
 namespace lavaray {
 
-// What the program's own table of options says, which is CLI11's. The words are the same with every version
-// of CLI11, whose own help is not.
+// What CLI11's table of the program's options says. The words are the same with every version of CLI11,
+// unlike those of its own help.
 
 // What --help prints: lines of at most 80 columns.
 std::string helpText(CLI::App& app);
 
-// What --help-table prints, for other programs: the manual's maker and the completion. A line each for the
-// program, its purpose, how it is used, each argument and option, and the closing words. Its fields end at
-// tabs, and one that holds nothing is `-`:
+// What --help-table prints, for the programs that make the manual and the completion: a line each for the
+// program, its purpose, its usage, each argument and option, and the closing words. Tabs separate the fields;
+// an empty one is `-`:
 //   program  NAME
 //   purpose  SENTENCE
 //   usage    what follows the program's name

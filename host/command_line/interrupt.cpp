@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::int64_t kPatienceNanoseconds = 1'000'000'000;
 
-// All that a signal handler uses; any thread may run it, several at a time.
-std::string messageBegin;  // made beforehand, as a signal handler can make none
+// All that the signal handler uses, which any thread may run, several at a time.
+std::string messageBegin;  // made in advance, as a signal handler cannot
 std::atomic<const char*> interruptedText{"interrupted before anything was written\n"};
 std::atomic<int> guards{0};
 std::atomic<std::int64_t> firstTime{0};
@@ -57,7 +57,7 @@ void onSignal(int signal) {
 }  // namespace
 
 void catchInterrupts(const std::string& programName) {
-  // On a terminal there may be the line that tells how far it is.
+  // A terminal may be showing the progress bar.
   messageBegin = (isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "") + programName + ": ";
   struct sigaction action {};
   action.sa_handler = onSignal;

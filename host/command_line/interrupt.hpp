@@ -6,17 +6,17 @@
 
 namespace lavaray {
 
-// What SIGHUP, SIGINT and SIGTERM do from here on: they end the process at once with 128 + the signal's
-// number, a word on stderr that begins with `programName`, and no temporary file left; or, while there is an
-// InterruptGuard, they are remembered. A SIGHUP that is ignored already stays so (nohup).
+// From here on SIGHUP, SIGINT and SIGTERM end the process at once with exit code 128 + the signal's number, a
+// message on stderr that begins with `programName`, and no temporary file left behind; or, while there is an
+// InterruptGuard, they are only remembered. A SIGHUP that is ignored already stays ignored (nohup).
 void catchInterrupts(const std::string& programName);
 
-// What is said where a signal ends the process at once; text that stays.
+// What a signal that ends the process at once prints. The text must stay where it is.
 void setInterruptedText(const char* text);
 
-// For work that looks at wasInterrupted() many times a second and keeps what it has. More signals are the
-// same wish: `timeout` sends two, GNU parallel three within half a second. Only a Ctrl-C more than a second
-// after the first signal ends the process at once.
+// For work that checks wasInterrupted() many times a second and keeps what it has. Further signals count as
+// the same request: `timeout` sends two, GNU parallel three within half a second. Only Ctrl-C more than a
+// second after the first signal ends the process at once.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -26,7 +26,7 @@ class InterruptGuard {
 };
 
 bool wasInterrupted();
-// By the first signal; kInterrupted where there was none.
+// That of the first signal; kInterrupted if there was none.
 ExitCode interruptCode();
 
 }  // namespace lavaray

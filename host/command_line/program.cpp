@@ -24,7 +24,7 @@ constexpr const char* kNoMemory = "there is not enough memory; a smaller image o
 
 std::string programName;
 
-// Drivers have threads of their own, and a compiler that throws in them where it gets no memory.
+// Drivers have threads of their own, in which their compiler throws if it gets no memory.
 [[noreturn]] void onTerminate() {
   removeTemporaryFiles();
   try {
@@ -37,9 +37,9 @@ std::string programName;
   std::abort();
 }
 
-// What is opened later must not become a standard stream: the picture would be written into a driver's
-// memory, or messages into the picture. Opened the wrong way round, so that using a closed stream stays an
-// error.
+// A file that is opened later must not become a standard stream: the picture would go into a driver's memory,
+// or messages into the picture. These are opened in the wrong direction, so that using a closed stream stays
+// an error.
 void occupyStandardStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     const bool isClosed = fcntl(stream, F_GETFD) == -1 && errno == EBADF;
@@ -47,7 +47,7 @@ void occupyStandardStreams() {
   }
 }
 
-// A stream remembers that a write has failed, but not why; another tells.
+// A stream remembers that a write has failed, but not why; another write tells.
 ExitCode checkPrinted(ExitCode code) {
   if (std::cout.flush() && std::fflush(stdout) == 0) return code;
   errno = 0;
@@ -68,7 +68,7 @@ Failure currentFailure() {
   } catch (const std::bad_alloc&) {
     return {ExitCode::kMemory, kNoMemory};
   } catch (const std::system_error& error) {
-    // A thread that cannot start says no more than to try again.
+    // If a thread cannot start, the system says no more than to try again.
     const bool isMemory = error.code() == std::errc::not_enough_memory ||
                           error.code() == std::errc::resource_unavailable_try_again;
     if (isMemory) return {ExitCode::kMemory, kNoMemory};

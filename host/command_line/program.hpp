@@ -12,10 +12,10 @@ struct Failure {
   std::string message;
 };
 
-// What the exception that is being handled says.
+// What the exception being handled says.
 Failure currentFailure();
 
-// Runs a program's body and returns its exit code. What the body throws is printed as `name: message`.
+// Runs a program's body and returns its exit code. An exception is printed as `name: message`.
 int runProgram(const std::string& name, const std::function<ExitCode()>& body);
 
 }  // namespace lavaray

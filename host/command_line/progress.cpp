@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 500ms;
 constexpr auto kRedraw = 100ms;
 constexpr int kBarWidth = 24;
-// Takes a line's content away and returns to its begin.
+// Erases the line and returns to its beginning.
 constexpr const char* kClearLine = "\r\x1b[K";
 
 std::size_t terminalColumns() {
@@ -75,7 +75,7 @@ void Progress::begin(const std::string& step) {
   share_ = -1.0;
   detail_.clear();
   if (pieces_ > 1) {
-    if (style_ == ProgressStyle::kBar) draw();  // again: each of many short steps has taken it away
+    if (style_ == ProgressStyle::kBar) draw();  // again, as the end of each short step erases it
     return;
   }
   begin_ = Clock::now();
@@ -105,8 +105,7 @@ void Progress::end() {
   isShown_ = false;
 }
 
-// Like `rendering  37 %  0:12 elapsed, 0:20 left, 14 spp`, with `2 of 40: ` before it where that is of 40
-// pieces.
+// Like `rendering  37 %  0:12 elapsed, 0:20 left, 14 spp`, preceded by `2 of 40: ` if there are 40 pieces.
 std::string Progress::text(Clock::duration elapsed) const {
   std::ostringstream text;
   if (pieces_ > 1) text << piece_ + 1 << " of " << pieces_ << ": ";
@@ -128,13 +127,13 @@ void Progress::draw() {
     line = '[' + std::string(full, '#') + std::string(kBarWidth - full, ' ') + "] ";
   }
   line += text(elapsed);
-  // A line that wraps could not be taken away.
+  // A line that wraps could not be erased.
   std::fprintf(stderr, "%s%s", kClearLine, line.substr(0, terminalColumns() - 1).c_str());
   std::fflush(stderr);
   isShown_ = true;
 }
 
-// Not from update(): some steps never call it, and then the time would stand still.
+// Not left to update(), which some steps never call: the time would stand still.
 void Progress::drawUntilStopped() {
   std::unique_lock lock(mutex_);
   while (!stopped_.wait_for(lock, kRedraw, [this] { return isStopped_; })) draw();

@@ -27,10 +27,10 @@ std::optional<Number> parse(std::string_view text) {
 }
 
 template <typename Number>
-CLI::Validator within(Number least, Number most, const std::string& kind, const std::string& bounds) {
+CLI::Validator within(Number min, Number max, const std::string& kind, const std::string& bounds) {
   return {[=](const std::string& text) {
             const std::optional<Number> number = parse<Number>(text);
-            if (number && *number >= least && *number <= most) return std::string();
+            if (number && *number >= min && *number <= max) return std::string();
             return lavaray::quoted(text) + " is not " + kind + " " + bounds;
           },
           bounds};
@@ -59,22 +59,21 @@ std::string explained(const CLI::ParseError& error) {
 
 }  // namespace
 
-CLI::Validator numberFrom(double least, double most) {
-  return within(least, most, "a number from", numberText(least) + " to " + numberText(most));
+CLI::Validator numberFrom(double min, double max) {
+  return within(min, max, "a number from", numberText(min) + " to " + numberText(max));
 }
 
-CLI::Validator numberFrom(double least) {
-  return within(least, std::numeric_limits<double>::max(), "a number that is",
-                numberText(least) + " or more");
+CLI::Validator numberFrom(double min) {
+  return within(min, std::numeric_limits<double>::max(), "a number that is", numberText(min) + " or more");
 }
 
-CLI::Validator integerFrom(std::int64_t least, std::int64_t most) {
-  return within(least, most, "an integer from", std::to_string(least) + " to " + std::to_string(most));
+CLI::Validator integerFrom(std::int64_t min, std::int64_t max) {
+  return within(min, max, "an integer from", std::to_string(min) + " to " + std::to_string(max));
 }
 
-CLI::Validator integerFrom(std::int64_t least) {
-  return within(least, std::numeric_limits<std::int64_t>::max(), "an integer that is",
-                std::to_string(least) + " or more");
+CLI::Validator integerFrom(std::int64_t min) {
+  return within(min, std::numeric_limits<std::int64_t>::max(), "an integer that is",
+                std::to_string(min) + " or more");
 }
 
 CLI::Validator fileName() {

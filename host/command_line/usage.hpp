@@ -10,25 +10,25 @@
 
 namespace lavaray {
 
-// What the programs' command lines have in common.
+// What the command lines of the programs have in common.
 
-// The option's value must be a number, or an integer, within these bounds; so NaN is none.
-CLI::Validator numberFrom(double least, double most);
-CLI::Validator numberFrom(double least);
-CLI::Validator integerFrom(std::int64_t least, std::int64_t most);
-CLI::Validator integerFrom(std::int64_t least);
+// The option's value must be a number, or an integer, within these bounds; NaN is not.
+CLI::Validator numberFrom(double min, double max);
+CLI::Validator numberFrom(double min);
+CLI::Validator integerFrom(std::int64_t min, std::int64_t max);
+CLI::Validator integerFrom(std::int64_t min);
 
-// The option's value must name something; the second is for files that stdout does not stand for.
+// The option's value must not be empty; nor, for the second, `-`, which is stdout.
 CLI::Validator fileName();
 CLI::Validator fileNameNotStdout();
 
-// Parses the command line. False where it asked for help or the version, which are printed then. Throws
+// Parses the command line. False if it asked for help or the version, which have been printed then. Throws
 // Error(kUsage).
 bool parseCommandLine(CLI::App& app, int argc, const char* const* argv);
 
 // The option --crop; `description` is its help.
 void addCropOption(CLI::App& app, std::optional<Rectangle>& crop, const std::string& description);
-// The crop, or all of an image of `size` where there is none. Throws Error(kUsage) where it is not inside.
+// The crop, or without one all of an image of `size`. Throws Error(kUsage) if it is not inside that.
 Rectangle cropWithin(const std::optional<Rectangle>& crop, const ImageSize& size);
 
 }  // namespace lavaray

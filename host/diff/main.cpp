@@ -34,7 +34,7 @@ struct DiffOptions {
   std::optional<double> maxFlip;
 };
 
-// Nothing where the command line asked for help or the version, which are printed then.
+// Nothing if the command line asked for help or the version, which have been printed then.
 std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   DiffOptions options;
   CLI::App app("Compares two images, or says what one is.", "lavaray-diff");
@@ -85,8 +85,8 @@ std::optional<DiffOptions> parseDiffOptions(int argc, const char* const* argv) {
   return options;
 }
 
-// A limit that is not given does not count; without any, no pixel may differ. Infinity or NaN in one image
-// alone is beyond every limit.
+// Only limits that are given count; if there are none, no pixel may differ. Infinity or NaN in just one of
+// the images exceeds every limit.
 bool withinLimits(const DiffOptions& options, const Difference& difference, double flip) {
   if (difference.unlike > 0) return false;
   const bool pixelsCount = options.tolerance || options.maxDiffering || !(options.maxRmse || options.maxFlip);
@@ -96,7 +96,7 @@ bool withinLimits(const DiffOptions& options, const Difference& difference, doub
   return !options.maxFlip || flip <= *options.maxFlip;
 }
 
-std::string place(int x, int y) {
+std::string position(int x, int y) {
   return std::to_string(x) + "," + std::to_string(y);
 }
 
@@ -109,7 +109,7 @@ bool holdsFloats(const Image& image) {
   return image.source.maxima[0] == 0;
 }
 
-// trunc(255 c), or more of them where the channels have maxima of their own.
+// trunc(255 c), or several of these if the channels have different maxima.
 std::string truncation(const Image& integers) {
   std::string text;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -119,7 +119,7 @@ std::string truncation(const Image& integers) {
   return text;
 }
 
-// Where one image has floats and the other integers.
+// Does nothing unless one image has floats and the other integers.
 void compareAsWritten(Image& image, Image& reference) {
   if (holdsFloats(image) == holdsFloats(reference)) return;
   const bool isImage = holdsFloats(image);
@@ -134,7 +134,7 @@ void compareAsWritten(Image& image, Image& reference) {
 void printDifference(const Difference& difference, double flip) {
   const ChannelDifference& color = difference.color;
   std::cout << "differing    " << difference.differing << " of " << difference.pixels << " pixels\n"
-            << "largest      " << color.largest * 255.0 << " / 255 at " << place(color.x, color.y) << '\n'
+            << "largest      " << color.largest * 255.0 << " / 255 at " << position(color.x, color.y) << '\n'
             << "RMSE         " << color.rmse << '\n'
             << "PSNR         " << color.psnr() << " dB\n"
             << "mean FLIP    " << flip << '\n';
@@ -143,7 +143,7 @@ void printDifference(const Difference& difference, double flip) {
 void printAlpha(const Image& image, const Image& reference, const ChannelDifference& alpha) {
   if (image.alpha.empty() && reference.alpha.empty()) return;
   std::cout << "alpha        " << alpha.differing << " pixels differ, largest " << alpha.largest * 255.0
-            << " / 255 at " << place(alpha.x, alpha.y) << ", RMSE " << alpha.rmse;
+            << " / 255 at " << position(alpha.x, alpha.y) << ", RMSE " << alpha.rmse;
   if (image.alpha.empty()) std::cout << "; IMAGE has none, which is 1";
   if (reference.alpha.empty()) std::cout << "; REFERENCE has none, which is 1";
   std::cout << '\n';
@@ -153,7 +153,8 @@ void printNotFinite(const Difference& difference) {
   const std::size_t notFinite = difference.pixels - difference.finite;
   if (notFinite == 0) return;
   std::cout << "not finite   " << difference.unlike << " pixels differ by infinity or NaN";
-  if (difference.unlike > 0) std::cout << ", the first at " << place(difference.unlikeX, difference.unlikeY);
+  if (difference.unlike > 0)
+    std::cout << ", the first at " << position(difference.unlikeX, difference.unlikeY);
   std::cout << "; " << notFinite - difference.unlike << " are the same in both\n"
             << "finite       " << difference.finite
             << " pixels in both images: largest, RMSE, PSNR, mean FLIP and alpha are over these\n";
@@ -173,11 +174,11 @@ ExitCode diff(const DiffOptions& options) {
     std::cout << "reference    " << reference.width << " x " << reference.height << "\n";
     return ExitCode::kImagesDiffer;
   }
-  std::optional<OutputFile> picture;  // before the work
+  std::optional<OutputFile> picture;  // opened before the work
   if (!options.output.empty()) picture.emplace(output);
   compareAsWritten(image, reference);
-  // Two quotients, each rounded to a float, are off by 2^-24 at most: so a difference of T levels is within
-  // T.
+  // Each of the two quotients, rounded to a float, is off by at most 2^-24: so a difference of T levels stays
+  // within T.
   const double tolerance = options.tolerance.value_or(0.0) / 255.0;
   const Difference difference = compare(image, reference, tolerance > 0.0 ? tolerance + 0x1p-23 : 0.0);
   const double flip = meanFlip(image, reference, hardwareThreads());

@@ -64,7 +64,7 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
   return options;
 }
 
-// Each part is a file that stays open, and there may be thousands.
+// Each part is a file that stays open, and there may be thousands of them.
 void allowManyFiles() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
@@ -81,7 +81,7 @@ float largestValue(Merge& merge, const Rectangle& area, std::vector<float>& row)
   return largest;
 }
 
-// A line for each part on stdout: its name, and `complete` or what is wrong with it.
+// Prints a line for each part: its name, and `complete` or what is wrong with it.
 ExitCode checkParts(const MergeOptions& options) {
   ExitCode code = ExitCode::kSuccess;
   for (const std::filesystem::path& part : options.parts) {

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kNameEvents =
     IN_MODIFY | IN_CLOSE_WRITE | IN_ATTRIB | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO;
 constexpr std::uint32_t kFolderEvents = IN_DELETE_SELF | IN_MOVE_SELF;
-// The system sends these without being asked.
+// The system sends the latter two unasked.
 constexpr std::uint32_t kFolderLost = kFolderEvents | IN_UNMOUNT | IN_IGNORED;
 
 }  // namespace
@@ -31,7 +31,8 @@ void FolderEvents::watch(const std::vector<NameInFolder>& names) {
   std::map<std::filesystem::path, int> watches;
   for (const NameInFolder& name : names) {
     const auto [known, isNew] = watches.try_emplace(name.folder, -1);
-    // A folder that is watched already, by whatever path, gives the same number again, and loses no event.
+    // For a folder that is watched already, by whatever path, this returns the same number and loses no
+    // event.
     if (isNew) {
       known->second =
           inotify_add_watch(descriptor_, name.folder.c_str(), kNameEvents | kFolderEvents | IN_ONLYDIR);
@@ -48,7 +49,7 @@ FolderChanges FolderEvents::read() {
   FolderChanges changes;
   alignas(inotify_event) std::array<char, 16384> buffer;
   for (;;) {
-    // A signal in between leaves the events where they are.
+    // A signal in between leaves the events in the queue.
     const ssize_t size = descriptor_ < 0 ? -1 : ::read(descriptor_, buffer.data(), buffer.size());
     if (size <= 0) return changes;
     for (std::size_t at = 0; at < static_cast<std::size_t>(size);) {

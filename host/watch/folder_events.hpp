@@ -9,33 +9,33 @@
 
 namespace lavaray {
 
-// A name in a folder, whether there is such a file or not.
+// A name in a folder, whether or not there is such a file.
 struct NameInFolder {
   std::filesystem::path folder;
   std::string name;
-  std::size_t number;  // that events about it are told by
+  std::size_t number;  // by which changes are reported
 };
 
-// What happened to watched names since the last look.
+// What has happened to watched names since the last read().
 struct FolderChanges {
   std::set<std::size_t> numbers;
-  bool foldersMoved = false;  // or deleted: watch() must be called again
-  bool everything = false;    // there were too many events to tell
+  bool foldersMoved = false;  // or were deleted: watch() must be called again
+  bool everything = false;    // perhaps: there were too many events to tell
 };
 
 // The operating system's events about names in folders (Linux: inotify).
 class FolderEvents {
  public:
-  FolderEvents();  // where the system refuses, descriptor() is -1 and there are never any events
+  FolderEvents();  // if the system refuses, descriptor() is -1 and there are never any events
   ~FolderEvents();
   FolderEvents(const FolderEvents&) = delete;
   FolderEvents& operator=(const FolderEvents&) = delete;
 
   [[nodiscard]] int descriptor() const { return descriptor_; }  // readable when there are events
 
-  // Replaces what is watched. A folder that is not there, or may not be read, is left out.
+  // Replaces what is watched. Leaves out folders that do not exist or may not be read.
   void watch(const std::vector<NameInFolder>& names);
-  // Waits for nothing.
+  // Does not wait.
   FolderChanges read();
 
  private:

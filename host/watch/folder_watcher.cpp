@@ -15,19 +15,19 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kQuiet{50};
 constexpr milliseconds kPollingPeriod{100};
-// Beside the events: file systems of a network send none for what other machines do, and there is none about
-// a symbolic link among the folders that a path leads through.
+// Besides the events: network file systems send none for what other machines do, and there are none for a
+// symbolic link among the folders of a path.
 constexpr milliseconds kPeriodBesideEvents{1000};
-constexpr milliseconds kLongestWait{std::chrono::hours(24)};
+constexpr milliseconds kMaxWait{std::chrono::hours(24)};
 
-// The system itself follows no more links than that.
+// The system itself follows no more than these.
 constexpr int kMaxLinks = 40;
 
 bool isBefore(const std::timespec& a, const std::timespec& b) {
   return std::pair(a.tv_sec, a.tv_nsec) < std::pair(b.tv_sec, b.tv_nsec);
 }
 
-// As the file system would stamp a file that changes now.
+// The time that the file system would give a file that changes now.
 std::timespec fileTime() {
   std::timespec time{};
   clock_gettime(CLOCK_REALTIME_COARSE, &time);
@@ -38,7 +38,8 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-// The names whose change may be one of the file: its own, and where that is a link the target's, and so on.
+// The names whose change may be a change of the file: its own and, if that is a link, its target's, and so
+// on.
 void addNames(std::filesystem::path file, std::size_t number, std::vector<NameInFolder>& names) {
   for (int links = 0; links <= kMaxLinks; ++links) {
     names.push_back({folderOf(file), file.filename(), number});
@@ -55,7 +56,7 @@ bool FolderWatcher::FileState::operator==(const FileState& other) const {
   const auto same = [](const std::timespec& a, const std::timespec& b) {
     return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
   };
-  return error == other.error && device == other.device && number == other.number && size == other.size &&
+  return error == other.error && device == other.device && inode == other.inode && size == other.size &&
          same(modified, other.modified) && same(changed, other.changed);
 }
 
@@ -67,7 +68,7 @@ FolderWatcher::FileState FolderWatcher::stateOf(const std::filesystem::path& fil
     return state;
   }
   state.device = status.st_dev;
-  state.number = status.st_ino;
+  state.inode = status.st_ino;
   state.size = static_cast<std::uint64_t>(status.st_size);
   state.modified = status.st_mtim;
   state.changed = status.st_ctim;
@@ -99,7 +100,7 @@ void FolderWatcher::watch(const std::vector<std::filesystem::path>& files) {
 }
 
 std::vector<std::filesystem::path> FolderWatcher::changes(milliseconds timeout) {
-  const Clock::time_point deadline = Clock::now() + std::min(timeout, kLongestWait);
+  const Clock::time_point deadline = Clock::now() + std::min(timeout, kMaxWait);
   for (;;) {
     takeEvents();
     const auto isQuiet = [&] { return !marked_.empty() && Clock::now() - lastMark_ >= kQuiet; };
@@ -138,7 +139,7 @@ void FolderWatcher::takeEvents() {
   if (changes.everything || changes.foldersMoved) look();
 }
 
-// Looks for changes that there was no event about.
+// Looks for changes of which there was no event.
 void FolderWatcher::look() {
   watchFolders();
   for (std::size_t i = 0; i < files_.size(); ++i) {
