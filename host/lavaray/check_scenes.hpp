@@ -7,7 +7,7 @@
 
 namespace lavaray {
 
-// Reads the scenes and says what is in them: --check. Returns the first failure's exit code.
+// --check: reads the scenes and says what is in them. Returns the first failure's exit code.
 ExitCode checkScenes(const std::vector<Options>& scenes);
 
 }  // namespace lavaray

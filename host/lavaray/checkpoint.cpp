@@ -41,7 +41,7 @@ void resume(const std::filesystem::path& file, const Identity& identity, const R
 
 Checkpoint::Checkpoint(const OutputName& file, double everySeconds, const Identity& identity)
     : file_(file), every_(everySeconds), identity_(identity) {
-  // Found out now, not after an hour; what is there stays.
+  // Tried now, not after an hour; the file stays as it is.
   if (!file_.file.empty()) OutputFile attempt(file_);
 }
 

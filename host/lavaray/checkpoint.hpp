@@ -11,19 +11,19 @@
 
 namespace lavaray {
 
-// Takes up the film in `file`. Throws Error(kInput) naming what is another there: scene, options, crop,
-// samples.
+// Lets the render resume from the film in `file`. Throws Error(kInput) naming what differs there: scene,
+// options, crop, samples.
 void resume(const std::filesystem::path& file, const Identity& identity, const RenderSettings& settings,
             const std::string& device, Render& render);
 
-// Keeps a film of a render from time to time.
+// Saves a film of a render from time to time.
 class Checkpoint {
  public:
-  // No file, no checkpoint. Throws Error(kOutput) where the file cannot be written.
+  // No file, no checkpoint. Throws Error(kOutput) if the file cannot be written.
   Checkpoint(const OutputName& file, double everySeconds, const Identity& identity);
 
-  // Where the file cannot be written they warn, once for each reason: the render goes on, and the next time
-  // may be better.
+  // If the file cannot be written they warn, once for each reason: the render goes on, and the next attempt
+  // may succeed.
   void saveIfDue(const Render& render);
   void save(const Render& render);
   [[nodiscard]] bool hasFailed() const { return hasFailed_; }  // the last time

@@ -10,7 +10,7 @@
 namespace lavaray {
 namespace {
 
-// So many digits that no two numbers look alike.
+// Enough digits to tell any two numbers apart.
 std::string exactly(double number) {
   std::ostringstream text;
   text.precision(17);

@@ -9,8 +9,8 @@
 
 namespace lavaray {
 
-// What decides the pixels of this picture: checksums of the scene, its meshes and the shader, and every
-// option that matters. Throws Error(kInput) where a file cannot be read any more.
+// All that decides this picture's pixels: checksums of the scene, its meshes and the shader, and every option
+// that matters. Throws Error(kInput) if a file can no longer be read.
 Identity describeIdentity(const Options& options, const Inputs& inputs, const RenderSettings& settings);
 
 }  // namespace lavaray

@@ -35,7 +35,7 @@ bool Inputs::readScene(const Files& changed) {
   return true;
 }
 
-// What only an earlier state of the scene names may be written again.
+// Files that only an earlier state of the scene named may be written again.
 void Inputs::forgetFormerFiles() {
   for (const fs::path& file : notedFiles_) {
     if (std::find(sceneFiles_.begin(), sceneFiles_.end(), file) == sceneFiles_.end()) forgetRead(file);
@@ -47,7 +47,7 @@ Scene Inputs::readSceneText() {
   const MeshReader reader = [this](const fs::path& file) { return readMesh(file); };
   if (!isStandardInput(options_.scene)) return lavaray::readScene(options_.scene, reader);
   if (!standardInput_) standardInput_ = readStandardInput();
-  // Without a folder in its name, so that meshes are looked for in the current one.
+  // Its name has no folder, so that meshes are looked for in the current one.
   return parseScene(*standardInput_, kStandardInputName, reader);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Raised by whoever removes or renames an entry, or changes its meaning.
+// To be raised with every entry that is removed or renamed, or changes its meaning.
 constexpr int kSchema = 2;
 
 Json sceneJson(const SceneReport& scene) {

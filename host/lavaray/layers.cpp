@@ -24,7 +24,7 @@ std::unique_ptr<ExrWriter> Layers::makeWriter(const File& file, const RenderSett
                                               const Rectangle& part, const std::string& device) const {
   TextEntries texts = describeOrigin(options_, settings, device);
   texts.emplace_back(kExrLayer, layerName(file.layer));
-  // Half floats end at 65504 and know integers to 2048: too few for depths and numbers.
+  // Half floats end at 65504 and hold integers up to 2048, too little for depths and object numbers.
   return std::make_unique<ExrWriter>(part.x1 - part.x0, part.y1 - part.y0, channelsOf(file.layer),
                                      ExrWriter::Precision::kFloat, texts, file.output.stream());
 }

@@ -14,24 +14,25 @@
 
 namespace lavaray {
 
-// The file beside the picture that has the layer: of out.exr it is out.normal.exr.
+// The layer's file beside the picture: out.normal.exr beside out.exr.
 OutputName layerOutput(const Options& options, Layer layer);
 
-// The files of --layers, each replaced as a whole. They are opened when this is made, before the rendering,
-// and in their places at last by commit(). Without layers nothing happens.
+// The files of --layers, each replaced as a whole. They are opened by the constructor, before the render, and
+// commit() moves them into place. Without layers nothing happens.
 class Layers {
  public:
-  // Throws Error(kOutput) where one cannot be written.
+  // Throws Error(kOutput) if one cannot be written.
   explicit Layers(const Options& options);
 
-  // Those that rays through the pixels' centres make, of `part`. `proceed` is called with the share that is
-  // done. Returns false where it was stopped by that.
+  // Traces those layers of `part` that come from rays through the pixels' centres. `proceed` gets the share
+  // that is done; returns false if that stopped it.
   bool trace(vulkan::Device& device, const Scene& scene, const GpuScene& gpuScene, RenderSettings settings,
              const Rectangle& part, const std::function<bool(double)>& proceed);
-  // Those that the picture's sampling makes: the part of what was rendered, settings.crop.
+  // Writes those layers that come from the picture's own sampling: `part` of what was rendered,
+  // settings.crop.
   void write(const Render& render, const RenderSettings& settings, const Rectangle& part,
              const std::string& device);
-  // Throws Error(kOutput) where not everything could be written.
+  // Throws Error(kOutput) if not everything could be written.
   void commit();
 
   [[nodiscard]] bool areTraced() const;  // whether trace() has anything to do
@@ -46,7 +47,7 @@ class Layers {
                                         const Rectangle& part, const std::string& device) const;
 
   const Options& options_;
-  std::list<File> files_;  // stay where they are
+  std::list<File> files_;  // which cannot move
 };
 
 }  // namespace lavaray

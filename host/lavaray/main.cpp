@@ -13,7 +13,7 @@ namespace lavaray {
 namespace {
 
 void listDevices(const Options& options) {
-  // Before the drivers are loaded here: one may end the program.
+  // Before the drivers are loaded in this process, which one may end.
   if (options.verbose) {
     for (const std::string& line : vulkan::surveyDrivers().lines(true)) std::cerr << line << '\n';
   }
@@ -22,7 +22,7 @@ void listDevices(const Options& options) {
   printDevices(std::cerr, vulkan::listDevices(instance));
 }
 
-// The scenes' options differ in the names of files only.
+// The scenes' options differ only in the names of files.
 ExitCode run(const std::vector<Options>& scenes) {
   const Options& options = scenes.front();
   if (options.listDevices) {

@@ -8,7 +8,7 @@
 
 namespace lavaray {
 
-// The device that the options ask for, with the instance that it belongs to.
+// The device that the options ask for, and the instance that it belongs to.
 struct OpenDevice {
   explicit OpenDevice(const Options& options)
       : instance(options.validate), device(vulkan::chooseDevice(instance, options.device)) {}
@@ -16,13 +16,13 @@ struct OpenDevice {
   vulkan::Device device;
 };
 
-// A device that is opened beside other work, as drivers take longer to start than most scenes to read.
+// A device that is opened while other work goes on: drivers take longer to start than most scenes to read.
 class FutureDevice {
  public:
   explicit FutureDevice(const Options& options)
       : future_(std::async(std::launch::async, [&] { return std::make_unique<OpenDevice>(options); })) {}
 
-  // Waits for it the first time. Throws Error(kDevice) where there is none.
+  // Waits for it the first time. Throws Error(kDevice) if there is none.
   OpenDevice& get() {
     if (!device_) device_ = future_.get();
     return *device_;

@@ -57,8 +57,8 @@ void checkSampleRange(const Options& options) {
   const auto fits = [&](std::uint32_t i) {
     return i % gpu::kMaxSamplesPerItem == 0 || i == options.render.samples;
   };
-  // Samples are summed in groups of so many, which a part must not divide: the sum would be rounded
-  // otherwise.
+  // Samples are summed in groups of so many. A part must not split one, or the sum would be rounded
+  // differently.
   if (options.render.samples > 1 && first < end && end <= options.render.samples && fits(first) && fits(end))
     return;
   throw Error(ExitCode::kUsage,

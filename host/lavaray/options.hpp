@@ -14,7 +14,7 @@
 
 namespace lavaray {
 
-// The command line for one of its scenes, checked as far as that goes without reading the scene.
+// The command line as it applies to one of its scenes, checked as far as possible without reading the scene.
 struct Options {
   std::filesystem::path scene;  // or "-" for standard input
   // A path, or "-" for PPM to stdout; with the ending .film the film in place of a picture.
@@ -44,27 +44,28 @@ struct Options {
   bool verbose = false;
 };
 
-// One for each scene, or one without a scene for --list-devices; they differ in the files that they name
-// only. Empty where the command line asked for help or the version, which are printed then. Throws
+// One for each scene, or one without a scene for --list-devices. They differ only in the files that they
+// name. Empty if the command line asked for help or the version, which have been printed then. Throws
 // Error(kUsage).
 std::vector<Options> parseOptions(int argc, const char* const* argv);
 
-// `options` for each of the scenes, of which there is one at least, with their own names of files: `{}`
-// stands for a scene's name. Throws Error(kUsage) where two files would be one.
+// `options` for each of the scenes, at least one, with its own names of files, where `{}` stands for the
+// scene's name. Throws Error(kUsage) if two files would be one.
 std::vector<Options> optionsOfScenes(const Options& options, const std::vector<std::string>& scenes);
 
-// The size of the image: the camera's, or the one asked for, where a missing side keeps the camera's aspect.
-// Throws Error(kUsage) where a side is out of range.
+// The size of the image: the camera's, or what was asked for; if only one side was, the other keeps the
+// camera's aspect. Throws Error(kUsage) if a side is out of range.
 ImageSize outputSize(const Options& options, const ImageSize& cameraSize);
 
-bool writesFilm(const Options& options);  // in place of a picture
+// Whether --output is a film, not a picture.
+bool writesFilm(const Options& options);
 
 // The files that are to be written.
 std::vector<OutputName> outputNames(const Options& options);
-// The one among them that may take the place of the film that is resumed from.
+// The one of them that may replace the film that is resumed from.
 OutputName checkpointName(const Options& options);
 
-// Gives materials and lights that say nothing of it the reflectance and the radius that the options ask for.
+// Gives the options' reflectance and radius to materials and lights that state none.
 void applyDefaults(const Options& options, Scene& scene);
 
 }  // namespace lavaray

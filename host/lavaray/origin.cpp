@@ -27,7 +27,7 @@ std::optional<std::string> describeScale(View view, const RenderStatistics& resu
   if (view != View::kCost) return std::nullopt;
   if (result.largestMeasure <= 0.0) return "no ray tests a node or a primitive";
   std::ostringstream text;
-  // So that it is the very number that the values are parts of.
+  // The very number that the values were divided by.
   text.precision(std::numeric_limits<float>::max_digits10);
   text << "white is " << result.largestMeasure << " nodes and primitives tested for a sample";
   return text.str();
@@ -36,7 +36,7 @@ std::optional<std::string> describeScale(View view, const RenderStatistics& resu
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
                            const std::string& device) {
   TextEntries entries = {{"Software", std::string("lavaray ") + kVersion},
-                         {"Scene", options.scene.filename().string()},  // without the folders of who made it
+                         {"Scene", options.scene.filename().string()},  // without the user's folders
                          {"Size", describe(settings.size, options.crop)},
                          {"Seed", std::to_string(settings.seed)},
                          {"Device", device}};
@@ -46,7 +46,7 @@ TextEntries describeOrigin(const Options& options, const RenderSettings& setting
 
 TextEntries describeOutcome(View view, const RenderStatistics& result, double seconds) {
   TextEntries entries = {
-      // In the mean; a render to a target error, or one that was stopped, takes them where they help most.
+      // The mean: a render to a target error, or one that was stopped, takes them where they help most.
       {"Samples per pixel", describe(result.samplesPerPixel)},
       {"Seconds", describe(seconds)}};
   if (result.stopReason != StopReason::kFinished)

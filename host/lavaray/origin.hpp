@@ -9,10 +9,10 @@
 
 namespace lavaray {
 
-// What white stands for, where the picture shows a cost.
+// What white stands for, if the picture shows a cost.
 std::optional<std::string> describeScale(View view, const RenderStatistics& result);
 
-// What a picture file says of how it came to be: what is known before the rendering, and what after it.
+// What a picture file says of how it was made: what is known before the render, and what after it.
 TextEntries describeOrigin(const Options& options, const RenderSettings& settings, const std::string& device);
 TextEntries describeOutcome(View view, const RenderStatistics& result, double seconds);
 

@@ -13,7 +13,7 @@
 namespace lavaray {
 namespace {
 
-// A stream that was closed when the program began is open for reading only (program.cpp).
+// A stream that was closed when the program started is open for reading only (program.cpp).
 bool isStdoutWritable() {
   const int flags = fcntl(STDOUT_FILENO, F_GETFL);
   return flags != -1 && (flags & O_ACCMODE) != O_RDONLY;
@@ -38,7 +38,7 @@ Outputs::Outputs(const Options& options) : options_(options), hasFilm_(writesFil
   if (!options.json.empty()) json_.emplace(OutputName{"--json", options.json});
 }
 
-// So that no other output is the file that stdout goes to.
+// Keeps other outputs from being the file that stdout goes to.
 void Outputs::claimStdout() {
   struct stat status {};
   if (fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return;
@@ -63,7 +63,7 @@ void Outputs::writeRow(std::span<const float> rgb) {
   const Clock::time_point start = Clock::now();
   if (!rows_) rows_.emplace(format_, part_.x1 - part_.x0, part_.y1 - part_.y0, pictureStream(), origin_);
   rows_->write(rgb);
-  // The rest would be rendered for nothing.
+  // Which throws: the rest would be rendered for nothing.
   if (std::ferror(pictureStream()) != 0) commitPicture();
   timeOfRows_ += Clock::now() - start;
 }
@@ -83,7 +83,7 @@ void Outputs::writeRowsOf(Render& render, const Rectangle& crop) {
     ++y;
     if (!isShown) return;
     std::ranges::copy(row.subspan(begin, shown.size()), shown.begin());
-    // Divided, so that the largest becomes exactly 1.
+    // Divided, so that the largest is exactly 1.
     if (largest > 0.0F) {
       for (float& value : shown) value /= largest;
     }

@@ -9,18 +9,19 @@
 
 namespace lavaray {
 
-// What a process keeps from one render to the next: the device with its pipelines, and the user's shader.
+// What the process keeps from one render to the next: the device with its pipelines, and the user's shader.
 struct RenderContext {
   explicit RenderContext(const Options& options)
       : shader(options.shaders), device(options), progress(progressStyle(options.quiet)) {}
 
-  // From the first ray until something is read anew: what is there by then is written.
+  // From the first ray until something is read anew, a signal is only remembered, and what is rendered is
+  // written.
   void keepWhenInterrupted() {
     if (!guard) guard.emplace();
   }
 
-  std::optional<InterruptGuard> guard;  // goes last
-  UserShader shader;                    // before the others, which have threads
+  std::optional<InterruptGuard> guard;  // destroyed last
+  UserShader shader;                    // forks: made before the others, which have threads
   FutureDevice device;
   Progress progress;
 };

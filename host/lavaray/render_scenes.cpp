@@ -28,7 +28,7 @@ std::string interruptedText(std::size_t left) {
   return "interrupted; " + std::to_string(left) + (left == 1 ? " scene is left" : " scenes are left");
 }
 
-// What a signal does while a scene is read, of which nothing can be kept.
+// Nothing can be kept of a scene that is being read: a signal ends the process.
 void prepareForInterrupt(std::size_t left, RenderContext& context) {
   static std::string text;  // as setInterruptedText asks for
   setInterruptedText("");
@@ -42,7 +42,7 @@ void prepareForInterrupt(std::size_t left, RenderContext& context) {
 ExitCode renderScenes(const std::vector<Options>& scenes) {
   RenderContext context(scenes.front());
   const std::size_t count = scenes.size();
-  if (count > 1) context.device.get();  // Without one none can be rendered, whatever the scenes are.
+  if (count > 1) context.device.get();  // Without one, no scene can be rendered.
   std::size_t begun = 0;
   const auto render = [&](std::size_t index) {
     if (count > 1) prepareForInterrupt(count - index, context);

@@ -7,9 +7,9 @@
 
 namespace lavaray {
 
-// Renders the scenes to their files, one after the other on one device. Of several, one that fails is named,
-// and the others are still rendered; an interrupt ends them all. Returns the first failure's exit code when
-// all is written, and the user has closed the window of --display.
+// Renders the scenes to their files, one after the other, on one device. If one of several fails it is named,
+// and the others are still rendered; an interrupt ends them all. Returns, once all is written and the user
+// has closed the window of --display, the first failure's exit code.
 ExitCode renderScenes(const std::vector<Options>& scenes);
 
 }  // namespace lavaray

@@ -10,7 +10,7 @@
 namespace lavaray {
 namespace {
 
-// Meshes, too, since an earlier scene's picture may be in their place when their scene's turn comes.
+// Meshes as well: an earlier scene's picture might have replaced one when its own scene's turn comes.
 void noteMeshes(const std::filesystem::path& scene) {
   try {
     (void)readScene(scene, [](const std::filesystem::path& mesh) {
@@ -19,7 +19,7 @@ void noteMeshes(const std::filesystem::path& scene) {
     });
   } catch (const Error& error) {
     if (error.exitCode() != ExitCode::kInput) throw;
-    // Told when it is the scene's turn.
+    // Reported when it is the scene's turn.
   }
 }
 

@@ -6,8 +6,8 @@
 
 namespace lavaray {
 
-// Finds out, before anything is done, where a file that one of the scenes is to be written to is one that
-// another reads or writes, and throws Error(kUsage) there.
+// Before anything is done, throws Error(kUsage) if a file that one of the scenes would write is one that
+// another reads or writes.
 void checkFiles(const std::vector<Options>& scenes);
 
 }  // namespace lavaray

@@ -9,7 +9,7 @@
 namespace lavaray {
 namespace {
 
-// Most messages begin with the scene already.
+// Most messages begin with the scene anyway.
 std::string named(const std::string& scene, const std::string& message) {
   return message.starts_with(scene) ? message : scene + ": " + message;
 }

@@ -1,4 +1,4 @@
-// What each of several scenes makes of the files that the command line names.
+// What the file names of the command line become for each of its scenes.
 #include <map>
 #include <utility>
 
@@ -23,7 +23,7 @@ std::string filledIn(const std::string& pattern, const fs::path& scene) {
   return text + pattern.substr(begin);
 }
 
-// Standard input has one text, and does not change.
+// Standard input holds one text, which does not change.
 void checkStandardInput(const Options& options, const std::vector<std::string>& scenes) {
   std::size_t count = 0;
   for (const std::string& scene : scenes) count += isStandardInput(scene) ? 1 : 0;
@@ -36,7 +36,7 @@ void checkStandardInput(const Options& options, const std::vector<std::string>& 
   }
 }
 
-// What is for one scene only.
+// Rejects what only makes sense for a single scene.
 void checkSeveral(const Options& options, std::size_t count) {
   const std::string scenes = std::to_string(count) + " scenes";
   const std::pair<const char*, bool> forOne[] = {{"--watch", options.watch},
@@ -55,7 +55,7 @@ void checkSeveral(const Options& options, std::size_t count) {
   }
 }
 
-// Scenes of one name; all else that would be one file is found where files are claimed.
+// Rejects scenes of the same name. Other files that would be one are noticed when they are claimed.
 void checkNames(const std::vector<Options>& all) {
   for (std::string Options::*const file : {&Options::output, &Options::json}) {
     const std::string option = file == &Options::output ? "--output" : "--json";

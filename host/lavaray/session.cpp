@@ -15,7 +15,7 @@
 namespace lavaray {
 namespace {
 
-// A crop is that part of the whole picture, so stretching needs the whole picture's largest value.
+// A crop shows what the whole picture would show there, so stretching needs the largest value of the whole.
 bool needsWhole(const Options& options) {
   return options.normalize || isMeasure(options.render.view);
 }
@@ -24,14 +24,14 @@ bool keepsFilm(const Options& options) {
   return writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
 }
 
-// Rows of one sample a pixel go to the file while others are traced, unless something needs all of them.
+// At one sample per pixel, rows go to the file while others are traced, unless something needs all of them.
 bool keepsPicture(const Options& options) {
   const bool isOneSample = options.render.samples == 1 && !options.render.targetError;
   return !isOneSample || needsWhole(options) || options.render.view == View::kSamples || options.display ||
          keepsFilm(options);
 }
 
-// What was asked for, with what depends on the scene.
+// The settings asked for, completed by what depends on the scene.
 RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
   RenderSettings settings = options.render;
   settings.size = size;
@@ -41,12 +41,12 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   return settings;
 }
 
-// An interrupted picture is written to its end, and compressing that many pixels takes over a second.
+// An interrupted picture is still written in full, and compressing so many pixels takes over a second.
 bool takesLongToWrite(const Rectangle& part) {
   return std::int64_t{part.x1 - part.x0} * (part.y1 - part.y0) > 4'000'000;
 }
 
-// Before the first ray: later, all that was rendered would be lost.
+// Called before the first ray: later, all that was rendered would be lost.
 void checkMemory(const RenderSettings& settings, bool canBeCropped) {
   const std::uint64_t needed = hostBytes(settings);
   const AvailableMemory room = availableMemory();
@@ -65,7 +65,7 @@ bool isInterrupted(const Render& render) {
   return render.statistics().stopReason == StopReason::kInterrupted;
 }
 
-// `interrupted at 37 %; ` for a message to go on from; nothing where the render was not.
+// The beginning of a message, `interrupted at 37 %; `, if the render was interrupted.
 std::optional<std::string> describeInterruption(const Render& render) {
   if (!isInterrupted(render)) return std::nullopt;
   return "interrupted at " + std::to_string(static_cast<int>(100.0 * render.shareDone())) + " %; ";
@@ -115,7 +115,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   if (interruption && takesLongToWrite(plan.part))
     std::cerr << "lavaray: " << *interruption << "writing the picture, which takes a while\n";
   writePicture(render, plan, identity, files.outputs);
-  // What fails from here on must not take the picture along.
+  // After the picture, which must survive whatever fails from here on.
   files.layers.write(render, plan.settings, plan.part, deviceName);
   files.layers.commit();
   writeReport(render.statistics(), plan.settings.size, files.outputs);
@@ -150,34 +150,34 @@ OpenDevice& Session::openDevice() {
 // Before the picture, so that an interrupted one has its layers.
 bool Session::traceLayers(Layers& layers, const Plan& plan, const IsOutdated& isOutdated) {
   if (!layers.areTraced()) return true;
-  bool isOfThePast = false;
+  bool isOutOfDate = false;
   progress_.begin("tracing the layers");
   const bool isWhole = layers.trace(device_.get().device, inputs_.scene(), inputs_.gpuScene(), plan.settings,
                                     plan.part, [&](double share) {
                                       progress_.update(share, "");
-                                      isOfThePast = isOutdated();
-                                      return !isEnded() && !isOfThePast;
+                                      isOutOfDate = isOutdated();
+                                      return !isEnded() && !isOutOfDate;
                                     });
   progress_.end();
   times_.endStep("trace layers");
-  if (isWhole || isOfThePast) return isWhole;
+  if (isWhole || isOutOfDate) return isWhole;
   throw Error(interruptCode(), "interrupted before the picture was begun");
 }
 
 bool Session::run(Render& render, Checkpoint& checkpoint, Outputs& outputs, const IsOutdated& isOutdated) {
-  bool isOfThePast = false;
+  bool isOutOfDate = false;
   progress_.begin("rendering");
   context_.keepWhenInterrupted();
   render.run(
       [&] {
         checkpoint.saveIfDue(render);
-        isOfThePast = isOutdated();
-        return proceed(render) && !isOfThePast;
+        isOutOfDate = isOutdated();
+        return proceed(render) && !isOutOfDate;
       },
       [&](std::span<const float> row) { outputs.writeRow(row); });
   progress_.end();
   times_.endStep("render", outputs.timeOfRows());
-  if (isOfThePast) return false;
+  if (isOutOfDate) return false;
   if (render.samplesPerPixel() == 0.0 && isInterrupted(render))
     throw Error(interruptCode(), "interrupted before anything was rendered");
   return true;

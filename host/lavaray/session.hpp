@@ -17,14 +17,13 @@
 
 namespace lavaray {
 
-// A scene, and a render of it to its files as the options say, or one after the other while the scene
-// changes.
+// A scene and, as the options say, a render of it to its files, or one after the other as the scene changes.
 class Session {
  public:
   // Both must outlive it.
   Session(const Options& options, RenderContext& context);
 
-  // Asked during a render. Where it returns true the picture is of the past: the render ends, and nothing is
+  // Asked during a render. Once it returns true, the picture is out of date: the render ends, and nothing is
   // written.
   using IsOutdated = std::function<bool()>;
   // Renders the scene that the inputs have read, and writes its files.
@@ -52,7 +51,7 @@ class Session {
     Layers layers;
   };
 
-  // The steps of renderAndWrite. Those that return a bool return false where the picture is of the past.
+  // The steps of renderAndWrite. Those that return a bool return false if the picture is out of date.
   [[nodiscard]] Plan makePlan() const;
   void buildHierarchy();
   OpenDevice& openDevice();
@@ -60,7 +59,7 @@ class Session {
   bool run(Render& render, Checkpoint& checkpoint, Outputs& outputs, const IsOutdated& isOutdated);
   void writePicture(Render& render, const Plan& plan, const Identity& identity, Outputs& outputs);
   void writeReport(const RenderStatistics& statistics, const ImageSize& picture, Outputs& outputs);
-  // Throws where the picture is not what was asked for, or the checkpoint is not written.
+  // Throws if the picture is not all that was asked for, or the checkpoint is not written.
   void tellOutcome(const std::optional<std::string>& interruption, const Checkpoint& checkpoint) const;
 
   bool proceed(const Render& render);

@@ -13,7 +13,7 @@
 namespace lavaray {
 namespace {
 
-// A stream that was closed when the program began is open for writing only (program.cpp).
+// A stream that was closed when the program started is open for writing only (program.cpp).
 bool isReadable() {
   const int flags = fcntl(STDIN_FILENO, F_GETFL);
   return flags != -1 && (flags & O_ACCMODE) != O_WRONLY;
@@ -39,9 +39,9 @@ std::string readStandardInput() {
                 "SCENE - is standard input, which is a terminal here; pipe a scene into it, or name a file");
   }
   if (!isReadable()) fail("it is closed, or open for writing only");
-  noteRead("/dev/stdin", "the scene");  // It may be a file.
+  noteRead("/dev/stdin", "the scene");  // which may be a file
   try {
-    // The descriptor itself stays open: no file that is opened later must take its place.
+    // The descriptor itself stays open, or a file that is opened later would get its number.
     ByteReader reader(fdopen(dup(STDIN_FILENO), "rb"));
     return readAll(reader);
   } catch (const std::system_error& error) {

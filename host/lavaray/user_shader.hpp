@@ -11,25 +11,25 @@
 
 namespace lavaray {
 
-// The shader of --shaders, compiled for the two kinds of scenes; without it the shaders that the program was
-// built with.
+// The shader of --shaders, compiled for either kind of scene; without that option, the shaders that the
+// program was built with.
 class UserShader {
  public:
-  // `folder` may be empty. With one a process is forked, so no thread must be there yet.
+  // `folder` may be empty. If it is not, this forks a process, so there must be no threads yet.
   explicit UserShader(std::filesystem::path folder);
 
   using Files = std::vector<std::filesystem::path>;
 
-  // Compiles it for a scene that has few primitives, or more, where that was not done yet or one of the
-  // changed files asks for it, and returns whether it did. Adds to the warnings. Throws Error(kInput) reading
-  // `file:line: message`; then what there was for this kind of scene stays.
+  // Compiles it for scenes with few primitives, or with more, unless that is done already and no changed file
+  // calls for it anew. Returns whether it did. Adds to the warnings. Throws Error(kInput) reading `file:line:
+  // message`; what was compiled before for that kind of scene then stays.
   bool compile(const Files& changed, bool forFewPrimitives, std::vector<std::string>& warnings);
 
-  // Whether there is one for the kind of scene that was last compiled for, or none is asked for.
+  // Whether there is one for the kind of scene last compiled for, or none was asked for.
   [[nodiscard]] bool isComplete() const { return !compiler_ || !spirv().empty(); }
-  // For that kind of scene; empty where it is what the program was built with.
+  // For that kind of scene; empty for the shader that the program was built with.
   [[nodiscard]] std::span<const std::uint32_t> spirv() const { return compiled_[forFewPrimitives_].spirv; }
-  // That were read for it last, or tried to be.
+  // The files last read for it, or that reading was last tried of.
   [[nodiscard]] const Files& files() const { return compiled_[forFewPrimitives_].files; }
 
  private:
@@ -40,7 +40,7 @@ class UserShader {
 
   std::filesystem::path folder_;
   std::optional<IsolatedCompiler> compiler_;
-  std::array<Compiled, 2> compiled_;  // by whether it is for few primitives
+  std::array<Compiled, 2> compiled_;  // by forFewPrimitives
   bool forFewPrimitives_ = false;
 };
 

@@ -15,9 +15,9 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// A window shows a growing picture that often, at most; drawing it takes time from rendering.
+// The shortest time from one showing of a growing picture to the next: drawing takes time from rendering.
 constexpr auto kShowEvery = 250ms;
-// How long a key may wait to be noticed where nothing is rendered.
+// How long a key press may go unnoticed while nothing is rendered.
 constexpr auto kIdle = 100ms;
 
 }  // namespace
@@ -27,7 +27,7 @@ void Viewer::open(const ImageSize& size) {
   try {
     window_ = std::make_unique<Window>("lavaray", size);
   } catch (const Error& error) {
-    hasFailed_ = true;  // The picture is written nonetheless; the exit code tells.
+    hasFailed_ = true;  // The picture is still written; the exit code tells.
     std::cerr << "lavaray: " << error.what() << '\n';
   }
 }

@@ -9,17 +9,17 @@
 
 namespace lavaray {
 
-// The window of --display, which shows a picture while it grows; without that option nothing.
+// The window of --display, which shows the growing picture; without that option it does nothing.
 class Viewer {
  public:
   explicit Viewer(const Options& options) : options_(options) {}
 
-  // Opens the window, the first time, for a picture of this size.
+  // The first time, opens the window for a picture of this size.
   void open(const ImageSize& size);
-  // Looks at keys and mouse, and shows the picture where the last time is long enough ago.
+  // Handles keys and mouse, and shows the picture if it was last shown long enough ago.
   void update(const Render& render);
   void showFinished(const Render& render);
-  // Looks at keys and mouse while nothing is rendered.
+  // Handles keys and mouse while nothing is rendered.
   void idle();
   void waitUntilClosed();
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// How long a change or a key may wait to be noticed where nothing is rendered.
+// How long a change or a key press may go unnoticed while nothing is rendered.
 constexpr auto kIdle = 100ms;
 
 class Watch {
@@ -35,11 +35,11 @@ class Watch {
   const Options& options_;
   RenderContext context_;
   Session session_;
-  FolderWatcher watcher_;  // before anything is read, so that no change is lost
-  Files changed_;          // while a render was under way, which they end
+  FolderWatcher watcher_;  // made before anything is read, so that no change is lost
+  Files changed_;          // during a render, which that ends
 };
 
-// What `work` returns; nothing where its input is wrong, which is printed: someone is about to mend it.
+// What `work` returns. If its input is wrong, prints that and returns nothing: someone is about to mend it.
 template <typename Work>
 std::optional<std::invoke_result_t<Work>> Watch::attempt(const Work& work) {
   try {
@@ -54,7 +54,7 @@ std::optional<std::invoke_result_t<Work>> Watch::attempt(const Work& work) {
 
 ExitCode Watch::run() {
   ExitCode code = ExitCode::kSuccess;
-  bool isDue = false;  // there is something that no picture shows yet
+  bool isDue = false;  // whether something has changed that no picture shows yet
   for (Files changed; !session_.isEnded(); changed = changed_.empty() ? waitForChanges() : changed_) {
     if (!options_.quiet) {
       for (const auto& file : changed) std::cerr << "changed: " << file.string() << '\n';
@@ -68,7 +68,7 @@ ExitCode Watch::run() {
     const std::optional<ExitCode> result = render();
     if (result) setInterruptedText("interrupted; the picture is of an earlier state\n");
     code = result.value_or(code);
-    isDue = !changed_.empty();  // which ended the render
+    isDue = !changed_.empty();  // since a change has ended the render
     if (result && !isDue && !options_.quiet) {
       std::cerr << "wrote " << options_.output << ": " << session_.times().inOneLine() << '\n';
     }

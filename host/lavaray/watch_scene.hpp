@@ -5,8 +5,8 @@
 
 namespace lavaray {
 
-// Renders the scene to its files, and again whenever one of the files that it is made of changes, until the
-// user interrupts that or closes the window.
+// Renders the scene to its files, and again whenever a file that it is made of changes, until the user
+// interrupts the program or closes the window.
 ExitCode watchScene(const Options& options);
 
 }  // namespace lavaray

@@ -21,11 +21,12 @@ using cimg_library::CImgDisplay;
 using cimg_library::CImgDisplayException;
 
 constexpr double kZoomStep = 1.25;
-constexpr double kLargestZoom = 64.0;  // screen pixels a pixel
-// The part of the screen that a new window takes at most.
+constexpr double kMaxZoom = 64.0;  // screen pixels per pixel
+// The largest part of the screen that a new window takes up.
 constexpr double kScreenShare = 0.9;
 
-// The size in which a picture first shows: its own, or the largest of its aspect that fits the screen.
+// The size at which a picture is first shown: its own, or the largest of its aspect ratio that fits the
+// screen.
 ImageSize windowSize(int width, int height) {
   const double scale = std::min({1.0, kScreenShare * CImgDisplay::screen_width() / width,
                                  kScreenShare * CImgDisplay::screen_height() / height});
@@ -38,8 +39,8 @@ struct Window::Screen {
   CImgDisplay display;
   Image image;
   std::string title;
-  double zoom = 1.0;             // window pixels a pixel
-  double left = 0.0, top = 0.0;  // the place in the image that is at the window's corner
+  double zoom = 1.0;             // window pixels per pixel
+  double left = 0.0, top = 0.0;  // the point of the image in the window's corner
 
   [[nodiscard]] double column(double x) const { return left + x / zoom; }
   [[nodiscard]] double row(double y) const { return top + y / zoom; }
@@ -50,7 +51,7 @@ struct Window::Screen {
     left = top = 0.0;
   }
 
-  // Keeps the place under the mouse where it is.
+  // Keeps the point under the mouse where it is.
   void zoomBy(double factor) {
     const bool isInside = display.mouse_x() >= 0;
     const double x = isInside ? display.mouse_x() : display.width() / 2.0;
@@ -59,7 +60,7 @@ struct Window::Screen {
     const double row0 = row(y);
     const double whole = std::min(static_cast<double>(display.width()) / image.width,
                                   static_cast<double>(display.height()) / image.height);
-    zoom = std::clamp(zoom * factor, std::min(whole, 1.0), kLargestZoom);
+    zoom = std::clamp(zoom * factor, std::min(whole, 1.0), kMaxZoom);
     left = std::clamp(column0 - x / zoom, 0.0, std::max(0.0, image.width - display.width() / zoom));
     top = std::clamp(row0 - y / zoom, 0.0, std::max(0.0, image.height - display.height() / zoom));
   }
@@ -122,7 +123,7 @@ void Window::show(Image image, const std::string& title) {
 
 bool Window::isOpen() {
   CImgDisplay& display = screen_->display;
-  // Keys that were pressed since the last look, the latest first; those that are released are 0.
+  // Keys pressed since the last look, the latest first; a released one is 0.
   for (unsigned int i = 0; i < 128 && !display.is_closed(); ++i) {
     const unsigned int key = display.key(i);
     if (key == cimg::keyESC || key == cimg::keyQ || key == 'Q') display.close();

@@ -9,21 +9,21 @@
 
 namespace lavaray {
 
-// A window on the screen that shows a picture: the wheel, + and - zoom about the mouse, the title names the
-// value of the pixel under it, and Esc, q or the close button end it.
+// A window on the screen that shows a picture. The wheel, + and - zoom about the mouse pointer, the title
+// gives the value of the pixel under it, and Esc, q or the close button closes the window.
 class Window {
  public:
-  // Throws Error(kOutput) where there is no screen, or where the program was built without X11.
+  // Throws Error(kOutput) if there is no screen, or the program was built without X11.
   Window(const std::string& title, const ImageSize& size);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // Shows the image and the title; if it has another size than the one before, all of it.
+  // Shows the image and the title; the whole image, if its size is not that of the last one.
   void show(Image image, const std::string& title);
-  // Looks at keys and mouse. False once the user has closed the window.
+  // Handles keys and mouse. False once the user has closed the window.
   bool isOpen();
-  // Waits for something to happen, or for the time to pass.
+  // Waits until something happens or the time is up.
   void wait(std::chrono::milliseconds time);
 
  private:
