@@ -12,7 +12,7 @@ class Point:
     """All measurements of one contestant on one scene."""
 
     setting: float | str
-    rmse: float  # root of the mean square over the seeds, as each of them is
+    rmse: float  # root of the mean square over the seeds, as each is over the pixels
     relmse: float
     max: float
     flip: float | None
@@ -20,15 +20,15 @@ class Point:
     wall: float
     cpu_min: float
     wall_min: float
-    rmses: tuple  # one for each seed
+    rmses: tuple  # one per seed
 
     def time(self, clock):
         return self.cpu if clock == "cpu" else self.wall
 
 
 def points(measurements, scene, method):
-    """The curve of one method on one scene, the cheapest setting first. Which of POV-Ray's is cheaper depends on
-    the scene, so that they are in the order of their times."""
+    """The curve of one method on one scene, the cheapest setting first. Which of POV-Ray's settings is cheaper depends
+    on the scene, so those are ordered by their times."""
     groups = {}
     for m in measurements:
         if m.scene == scene and m.method == method:
@@ -56,7 +56,7 @@ def make_point(setting, group):
 
 
 def slope(xs, ys):
-    """Of the least-squares line through the logarithms; None where there is none."""
+    """Of the least-squares line through the logarithms; None if there is none."""
     pairs = [(math.log(x), math.log(y)) for x, y in zip(xs, ys) if x > 0 and y > 0]
     if len(pairs) < 2:
         return None
@@ -69,20 +69,20 @@ def slope(xs, ys):
 
 
 def spp_slope(curve):
-    """Without one sample a pixel: its place is the pixel's centre, and so it is no member of the series."""
+    """Without one sample per pixel, which lies at the pixel's centre and so is no member of the series."""
     used = [p for p in curve if p.setting > 1]
     return slope([p.setting for p in used], [p.rmse for p in used])
 
 
 def time_slope(curve, clock):
-    """Over all points; start-up is not subtracted, and so it flattens the cheap end."""
+    """Over all points. Start-up is not subtracted, so it flattens the cheap end."""
     return slope([p.time(clock) for p in curve], [p.rmse for p in curve])
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """How a value was found: "" measured or interpolated; "~" extrapolated; "<=" all that is measured is
-    better than asked for, so that this is a bound; ">=" what follows from such a bound below a fraction line."""
+    """How a value was found: "" measured or interpolated; "~" extrapolated; "<=" an upper bound, as every measurement
+    is better than asked for; ">=" a fraction with such a bound below its line."""
 
     value: float
     mark: str = ""
@@ -92,14 +92,13 @@ class Estimate:
 
 
 def monotone(curve, clock):
-    """(time, error) pairs with rising times and falling errors. What delayed a run was not its setting if a
-    dearer one took less time, so that the dearer one's time is taken; a dearer one that is not better is left
-    out."""
+    """(time, error) pairs with rising times and falling errors. If a costlier setting took less time, something else
+    delayed the cheaper one, which gets the costlier one's time. A costlier setting that is no better is left out."""
     pairs = []
-    least = math.inf
+    min_time = math.inf
     for p in reversed(curve):
-        least = min(least, p.time(clock))
-        pairs.append((least, p.rmse))
+        min_time = min(min_time, p.time(clock))
+        pairs.append((min_time, p.rmse))
     kept = []
     for time, error in reversed(pairs):
         if error <= 0 or (kept and error >= kept[-1][1]):
@@ -111,7 +110,7 @@ def monotone(curve, clock):
 
 
 def time_at_error(curve, error, clock):
-    """Interpolated between logarithms, and extrapolated along the last two points."""
+    """Interpolated between logarithms, extrapolated along the last two points."""
     pairs = monotone(curve, clock)
     if pairs and pairs[0][1] <= error:
         return Estimate(pairs[0][0], "<=")
@@ -119,9 +118,9 @@ def time_at_error(curve, error, clock):
 
 
 def time_of_peer(curves, error, clock):
-    """The least of the curves' times at that error; None where none of them comes so far: an error that does not fall
-    any more has no time, so that nothing is extrapolated."""
-    reaching = [by_time(curve, clock) for curve in curves if least_error(curve) <= error]
+    """The shortest of the curves' times at that error; None if none of them reaches it. Nothing is extrapolated: a
+    curve's error may have stopped falling."""
+    reaching = [by_time(curve, clock) for curve in curves if min_error(curve) <= error]
     times = [time for time in (time_at_error(curve, error, clock) for curve in reaching) if time]
     return min(times, key=lambda time: time.value, default=None)
 
@@ -130,12 +129,12 @@ def by_time(curve, clock):
     return sorted(curve, key=lambda p: p.time(clock))
 
 
-def least_error(curve):
+def min_error(curve):
     return min((p.rmse for p in curve), default=math.inf)
 
 
 def error_at_time(curve, time, clock):
-    """None for a time in which there is no image at all."""
+    """None for a time too short for any image."""
     pairs = monotone(curve, clock)
     if pairs and pairs[0][0] > time:
         return None
@@ -143,8 +142,8 @@ def error_at_time(curve, time, clock):
 
 
 def on_line(pairs, wanted):
-    """The value where the key of these (key, value), keys rising, is `wanted`: between logarithms, beyond the
-    last pair along the last two. None with fewer than two."""
+    """The value at the key `wanted` of these (key, value) pairs with rising keys: interpolated between logarithms, and
+    beyond the last pair extrapolated along the last two. None if there are fewer than two."""
     if len(pairs) < 2:
         return None
     for (x1, y1), (x2, y2) in zip(pairs, pairs[1:]):
@@ -164,9 +163,9 @@ def geometric_mean(values):
 @dataclass(frozen=True)
 class Honoured:
     runs: int
-    kept: float  # share of the runs with an error of at most the target
-    wasted: float  # share with less than a third of it
-    worst: float  # largest error, in parts of the target
+    kept: float  # share of the runs whose error is at most the target
+    wasted: float  # share whose error is below a third of it
+    worst: float  # largest error, as a multiple of the target
 
 
 def honoured(rmses_by_target):

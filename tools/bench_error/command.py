@@ -12,7 +12,7 @@ from bench_error import analysis, experiment, images, plot, povray, running, sce
 from bench_error.tables import Report
 
 ROOT = Path(__file__).resolve().parents[2]
-REFERENCE_SHARE = 0.3  # of the least target: the error that a reference may have; it adds 4 % to one that is right
+REFERENCE_SHARE = 0.3  # of the smallest target: the error that a reference may have; it adds 4 % to a true error
 
 DESCRIPTION = """\
 Measures how far lavaray's images are from the truth and what that costs: fixed sampling, random and Owen-Sobol,
@@ -133,7 +133,7 @@ def missing_packages():
 
 
 def panels(report, names, clock):
-    """For the plots: error against time, and against samples a pixel."""
+    """For the plots: error against time, and against samples per pixel."""
     by_time, by_spp = [], []
     for name in names:
         curves = {m: report.curves[name, m] for m in (*experiment.FIXED, experiment.ADAPTIVE)}

@@ -11,13 +11,13 @@ from bench_error.images import errors
 
 FIXED = ("random", "sobol")
 ADAPTIVE = "adaptive"
-PEERS = {"povray-am1": "+AM1", "povray-am2": "+AM2"}  # all methods that POV-Ray 3.7 has
+PEERS = {"povray-am1": "+AM1", "povray-am2": "+AM2"}  # all of POV-Ray 3.7's methods
 
 
 @dataclass(frozen=True)
 class Contestant:
-    method: str  # of FIXED, ADAPTIVE, or of PEERS
-    setting: float | str  # samples a pixel, the target error, or POV-Ray's options
+    method: str  # one of FIXED, ADAPTIVE, or one of PEERS
+    setting: float | str  # samples per pixel, the target error, or POV-Ray's options
 
     def options(self, seed, max_spp):
         if self.method in PEERS:
@@ -44,7 +44,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Team:
-    """A program with what it takes part in."""
+    """A program, and what it takes part in."""
 
     program: object  # with render(file, options)
     files: dict  # scene name -> file

@@ -1,4 +1,4 @@
-"""PFM images, and how far one is from another."""
+"""PFM images, and how much two of them differ."""
 
 import importlib.util
 import math
@@ -12,11 +12,11 @@ from dataclasses import dataclass
 class Image:
     width: int
     height: int
-    values: array  # three floats a pixel, the bottom row first as in a PFM
+    values: array  # three floats per pixel, the bottom row first as in a PFM
 
 
 def read_pfm(path):
-    """Colour PFM as lavaray writes it. Raises ValueError with the path where it is something else."""
+    """Colour PFM as lavaray writes it. Raises ValueError naming the path if it is anything else."""
     data = path.read_bytes()
     try:
         kind, size, scale, pixels = data.split(b"\n", 3)
@@ -33,7 +33,7 @@ def read_pfm(path):
 
 
 def read_ppm(path):
-    """Binary PPM with 16 bits a channel. Raises ValueError with the path where it is something else."""
+    """Binary PPM with 16 bits per channel. Raises ValueError naming the path if it is anything else."""
     data = path.read_bytes()
     header = re.match(rb"P6\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+65535\s", data)
     if not header:

@@ -1,4 +1,4 @@
-"""Log-log plots, one panel a scene: as SVG without any library, as PNG with matplotlib."""
+"""Log-log plots, a panel per scene: as SVG without any library, as PNG with matplotlib."""
 
 import importlib.util
 import math
@@ -9,7 +9,7 @@ PANEL_WIDTH, PANEL_HEIGHT = 300, 230
 LEFT, RIGHT, TOP, BOTTOM = 52, 12, 26, 38  # of a panel, around its axes
 HEAD = 56  # of the page: title and legend
 
-# Told apart by shape as well as by colour; the colours are Okabe and Ito's, for all kinds of eyes.
+# Told apart by shape as well as colour; the colours are Okabe and Ito's, which the colour-blind can tell apart.
 STYLES = {
     "random": ("#D55E00", "square", "fixed, random"),
     "sobol": ("#0072B2", "circle", "fixed, Owen-Sobol"),
@@ -20,8 +20,8 @@ STYLES = {
 
 
 class Axis:
-    """Maps logarithms of values onto a length in pixels. Powers of ten are ticks, and the more of their
-    multiples the fewer of them there are."""
+    """Maps logarithms of values onto a length in pixels. Powers of ten are ticks; the fewer there are, the more of
+    their multiples are ticks as well."""
 
     def __init__(self, values, start, end):
         low, high = math.log10(min(values)), math.log10(max(values))
@@ -47,7 +47,7 @@ def tick_label(value):
 
 
 def svg(title, x_label, panels, styles=STYLES, y_label="RMSE"):
-    """`panels`: (name, {method: [(x, y)]}, x of a dashed line or None); each method has a style."""
+    """`panels`: (name, {method: [(x, y)]}, x of a dashed line or None). Each method needs a style."""
     rows = math.ceil(len(panels) / COLUMNS)
     width, height = COLUMNS * PANEL_WIDTH, HEAD + rows * PANEL_HEIGHT
     parts = [

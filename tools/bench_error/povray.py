@@ -23,7 +23,7 @@ from bench_error.experiment import PEERS, Contestant
 from bench_error.images import read_ppm, rmse
 from bench_error.running import ProgramError, Run, timed
 
-# Thresholds (+A) and depths (+R), chosen from a grid of both for least error at equal time. Method 1 takes R x R
+# Thresholds (+A) and depths (+R), chosen from a grid of both for the smallest error at equal time. Method 1 takes R x R
 # samples in a pixel, method 2 up to 2^(R-1) + 1 on a side; depth 1 is no more than one sample a pixel. Threshold 0
 # refines every pixel: what lies between the first samples is found by nothing else.
 LADDERS = {
@@ -46,7 +46,7 @@ PIGMENT_FLOOR = 1e-6
 
 
 class NotEqual(Exception):
-    """POV-Ray cannot show the scene as the scene format asks; the message says what of it."""
+    """POV-Ray cannot show the scene as the scene format demands; the message says why."""
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,8 @@ class Peers:
 
 
 class PovRay:
-    """Runs it with as many threads as lavapipe has. POV-Ray's front end sleeps for about 0.6 s of the clock, which
-    is no time of the processors."""
+    """Runs it with as many threads as lavapipe has. POV-Ray's front end sleeps for about 0.6 s, which is no processor
+    time."""
 
     def __init__(self, path, size):
         self.path = os.path.abspath(path)  # it runs in other folders
@@ -69,8 +69,8 @@ class PovRay:
         self.version = next((line.strip() for line in lines if line.startswith("POV-Ray")), "POV-Ray")
 
     def render(self, file, options):
-        """Runs in the scene's folder, which is where its rules let POV-Ray write, and also its home, so that no
-        settings of the user's count."""
+        """Runs in the scene's folder, where POV-Ray's rules let it write, and which is also its home, so that no
+        settings of the user apply."""
         output = file.with_suffix(".ppm")
         output.unlink(missing_ok=True)
         command = [self.path, f"+I{file.name}", f"+O{output.name}", *self.size, *OPTIONS, *options]
@@ -81,7 +81,7 @@ class PovRay:
 
 
 def find(name, size):
-    """None where it is not installed."""
+    """None if it is not installed."""
     path = shutil.which(name)
     return PovRay(path, size) if path else None
 
@@ -167,7 +167,7 @@ def vector(values):
 
 
 def camera(keys, size):
-    """Explicit vectors make no difference between left- and right-handed coordinates."""
+    """With explicit vectors, left- and right-handed coordinates are the same."""
     width, height = size
     return (f"camera {{ location {vector(keys['pos'])} direction <0,0,{-float(keys['f'][0])}> right <{width},0,0> "
             f"up <0,{height},0> }}")

@@ -1,4 +1,4 @@
-"""Runs lavaray as a subprocess, times subprocesses, and keeps references between runs of the benchmark."""
+"""Runs lavaray as a subprocess, times subprocesses, and keeps references from one run of the benchmark to the next."""
 
 import hashlib
 import os
@@ -10,24 +10,24 @@ from pathlib import Path
 
 from bench_error.images import mean, read_pfm, rmse, write_pfm
 
-REFERENCE_SEEDS = (1000003, 2000003)  # of the two halves; no contestant has one of them
+REFERENCE_SEEDS = (1000003, 2000003)  # of the two halves; no contestant uses either
 
 
 class ProgramError(Exception):
-    """The program is missing, too old or failed; the message says all that is known."""
+    """The program is missing, is too old or has failed; the message says all that is known."""
 
 
 @dataclass
 class Run:
     image: object
-    cpu_seconds: float  # user and system, of all threads
+    cpu_seconds: float  # user and system time, of all threads
     wall_seconds: float
 
 
 @dataclass
 class Reference:
     image: object
-    rmse: float  # estimated error of its own
+    rmse: float  # its own estimate
     samples: int
 
 
@@ -49,7 +49,7 @@ class Program:
         return run.stdout
 
     def identity(self):
-        """Another build is another program."""
+        """Each build counts as a program of its own."""
         return f"{self.version.strip()} {self.path.stat().st_mtime_ns} {' '.join(self.extra_options)}"
 
     def render(self, scene_file, options):
@@ -60,8 +60,8 @@ class Program:
 
 
 def timed(command, folder=None, environment=None):
-    """Processor and clock seconds of a command, of this process alone: wait4 counts one child, where getrusage
-    would count all that there ever were. `environment` is added to what there is."""
+    """Processor and clock seconds of a command, of that process alone: wait4 counts one child, getrusage would count
+    all that there ever were. `environment` is added to the present one."""
     with tempfile.TemporaryFile() as messages:
         start = time.perf_counter()
         child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages, cwd=folder,
@@ -83,12 +83,12 @@ def timed(command, folder=None, environment=None):
 
 
 def write_scene(scene, folder):
-    """The scene's files in a folder of their own; returns the scene file."""
-    place = folder / scene.name
-    place.mkdir(parents=True, exist_ok=True)
+    """Writes the scene's files to a folder of their own; returns the scene file."""
+    own = folder / scene.name
+    own.mkdir(parents=True, exist_ok=True)
     for name, obj in scene.meshes.items():
-        (place / name).write_text(obj)
-    file = place / f"{scene.name}.txt"
+        (own / name).write_text(obj)
+    file = own / f"{scene.name}.txt"
     file.write_text(scene.text)
     return file
 
@@ -115,7 +115,7 @@ def reference_half(program, scene, scene_file, samples, seed, folder, any_build)
     if not file.exists():
         folder.mkdir(parents=True, exist_ok=True)
         options = ["--spp", str(samples), "--sampler", "sobol", "--seed", str(seed)]
-        part = file.with_suffix(".part")  # so that an interrupted run leaves no half-written reference
+        part = file.with_suffix(".part")  # so that an interrupted run leaves no unfinished reference
         write_pfm(part, program.render(scene_file, options).image)
         part.rename(file)
     return read_pfm(file)

@@ -1,4 +1,4 @@
-"""The scenes of the benchmark: each is hard in one way, and the last one in all of them.
+"""The scenes of the benchmark: each is hard in a way of its own, and the last one in all of them.
 
 Each is generated for the size of the image, so that another size is another rendering of the same view. Random
 numbers have fixed seeds. Errors are means over the whole image, so what is hard must fill it.
@@ -14,11 +14,11 @@ BLACK = (0.0, 0.0, 0.0)
 @dataclass(frozen=True)
 class BenchScene:
     name: str
-    hard: str  # in a few words, what it asks of a sampler
+    hard: str  # what it demands of a sampler, in a few words
     text: str
     meshes: dict  # file name -> OBJ text
     slopes_only: bool = False  # left out of the equal-error and target tables
-    variant: bool = False  # of another scene, for the comparison with POV-Ray alone
+    variant: bool = False  # of another scene, only for the comparison with POV-Ray
 
 
 class Builder:
@@ -97,7 +97,7 @@ def copies_of(obj, places):
             moved = [at + scale * (v - m) for at, v, m in zip((x, y, z), vertex, middle)]
             lines.append("v " + " ".join(f"{v:.6f}" for v in moved))
         first = copy * len(vertices)
-        for face in faces:  # normals are not copied: their indices stay
+        for face in faces:  # normals are not copied, so their indices stay
             lines.append("f " + " ".join(corner_text(corner, first) for corner in face))
     return "\n".join(lines) + "\n"
 
@@ -108,7 +108,7 @@ def corner_text(corner, first):
 
 
 def edges(size, _models):
-    """Overlapping triangles of constant colour: nothing but edges, in all directions."""
+    """Overlapping triangles of constant colour: only edges, in all directions."""
     builder = Builder(size, 60)
     rng = random.Random(1)
     for index in range(150):

@@ -5,7 +5,7 @@ from bench_error.experiment import ADAPTIVE, FIXED, PEERS, label
 
 
 def table(title, header, rows):
-    """Columns as wide as they must be; the first on the left, numbers on the right."""
+    """Columns no wider than needed, the first aligned left, numbers right."""
     cells = [list(header)] + [["-" if c is None else str(c) for c in row] for row in rows]
     widths = [max(len(row[i]) for row in cells) for i in range(len(header))]
     lines = [title, ""]
@@ -51,7 +51,7 @@ class Report:
         return "\n".join(parts)
 
     def startup(self, scene):
-        """The run with one sample a pixel: start-up, the scene's reading and the tree are most of it."""
+        """The run with one sample per pixel: mostly start-up, reading the scene and building the tree."""
         return next((p for p in self.curves[scene, "sobol"] if p.setting == 1), None)
 
     def scene_table(self):
@@ -94,14 +94,14 @@ class Report:
         return table(f"Slopes of log RMSE against log spp (from 4 spp) and log {self.clock} time", header, rows)
 
     def adaptive_points(self, target):
-        """(scene, adaptive run at that target) of the compared scenes."""
+        """(scene, adaptive run at that target) for the compared scenes."""
         return [(name, p) for name in self.compared for p in self.curves[name, ADAPTIVE] if p.setting == target]
 
     def fixed_time(self, scene, method, rmse):
         return analysis.time_at_error(self.curves[scene, method], rmse, self.clock)
 
     def ratios(self, target):
-        """Time of adaptive over that of each fixed sampler at the same true RMSE, one for each compared scene."""
+        """The time of adaptive over that of each fixed sampler at the same true RMSE, one per compared scene."""
         result = {method: [] for method in FIXED}
         for scene, p in self.adaptive_points(target):
             for method in FIXED:
@@ -163,19 +163,19 @@ class Report:
         return table("Target honoured: true RMSE of runs with --target-error E", header, rows)
 
     def peer_table(self):
-        """Which scenes POV-Ray takes part in, how equal its pictures are, and why the others are none."""
+        """Which scenes POV-Ray takes part in, how much its pictures differ, and what keeps it from the others."""
         rows = []
         for name, difference in self.peers.differences.items():
-            least = [analysis.least_error(self.curves[name, method]) for method in PEERS]
-            rows.append((name, number(difference), *map(number, least), ""))
+            min_errors = [analysis.min_error(self.curves[name, method]) for method in PEERS]
+            rows.append((name, number(difference), *map(number, min_errors), ""))
         rows += [(name, None, None, None, reason) for name, reason in self.peers.left_out.items()]
         header = ("scene", "differs by", *(f"least {option}" for option in PEERS.values()), "no peer, because of")
         return table("POV-Ray: RMSE between its image and lavaray's with one ray a pixel, and the least RMSE that its\n"
                      "methods reached", header, rows)
 
     def rival_points(self, target):
-        """(scene, adaptive run, POV-Ray's times by each method, its best time) at equal error; None for a time where
-        POV-Ray does not come so far."""
+        """(scene, adaptive run, POV-Ray's times by each method, its best time) at equal error; None for a time if
+        POV-Ray does not reach that error."""
         result = []
         for name in self.rivalled:
             curves = {method: self.curves[name, method] for method in PEERS}

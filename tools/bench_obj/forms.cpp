@@ -8,7 +8,7 @@
 
 namespace {
 
-// Vertices around and along the torus, and quads as well.
+// The number of vertices around and along the torus, and of quads.
 constexpr int kSide = 1000;
 constexpr int kVertices = kSide * kSide;
 
@@ -35,7 +35,7 @@ void writeVertices(bool onlyPositions, std::ostream& out) {
   }
 }
 
-// What follows the file's last vertex counts back from it.
+// Negative indices count back from the file's last vertex.
 void writeFace(std::initializer_list<int> vertices, std::string_view form, std::ostream& out) {
   out << 'f';
   for (const int vertex : vertices) {

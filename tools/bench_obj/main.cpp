@@ -1,5 +1,5 @@
-// What tools/bench-obj measures, a process for each load: `obj-bench READER FILE` loads the file and prints
-// how many triangles it has; `obj-bench write FORM FILE` makes it.
+// What tools/bench-obj measures, one process per load: `obj-bench READER FILE` loads the file and prints its
+// number of triangles; `obj-bench write FORM FILE` makes it.
 #include <algorithm>
 #include <cstddef>
 #include <exception>

@@ -1,4 +1,4 @@
-// What the benchmark's shaders and their host both know; see shaders/interface.h for the rules.
+// What the benchmark's shaders and their host share; see shaders/interface.h for the rules.
 #ifndef LAVARAY_BENCH_BATCH_H
 #define LAVARAY_BENCH_BATCH_H
 
@@ -8,22 +8,22 @@
 namespace lavaray::gpu {
 #endif
 
-// The benchmark's own buffers follow the scene's.
+// The benchmark's own buffers come after the scene's.
 const uint kBindingBatchRays = kSceneBindings;
 const uint kBindingBatchResults = kBindingBatchRays + 1u;
 
-// Specialization constants that follow the renderer's.
+// Specialization constants after the renderer's.
 const uint kSpecBatchMode = kSpecCount;
 const uint kSpecBatchCount = kSpecBatchMode + 1u;
 
-const uint kBatchClosest = 0u;  // the first hit, as of camera and mirror rays
-const uint kBatchAny = 1u;      // any hit, as of shadow rays
-const uint kBatchNoTrace = 2u;  // reads rays and writes results, no more
+const uint kBatchClosest = 0u;  // the first hit, as for camera and mirror rays
+const uint kBatchAny = 1u;      // any hit, as for shadow rays
+const uint kBatchNoTrace = 2u;  // only reads rays and writes results
 
-// A ray o + t d with 0 < t < tMax that does not see the surface `skipped`.
+// A ray o + t d, 0 < t < tMax, that does not see the surface `skipped`.
 struct BatchRay {
   vec3 origin;
-  float tMax;  // below 0: there is no such ray
+  float tMax;  // negative if there is no ray
   vec3 direction;
   uint skipped;
 };

@@ -44,7 +44,7 @@ PictureBatches DeviceTracer::follow(Batch camera) {
   dispatch(shader);
   const auto* made = reinterpret_cast<const gpu::BatchRay*>(buffers_.back().bytes());
   PictureBatches batches{std::move(camera), {"shadow", true, true, {}}, {"mirror", false, false, {}}};
-  // All rays to one light, then all to the next: as the renderer's shader traces them.
+  // All rays to one light, then all to the next, as the renderer's shader traces them.
   for (std::size_t follower = 0; follower < followers; ++follower) {
     Batch& batch = follower == 0 ? batches.mirror : batches.shadow;
     for (std::size_t i = follower; i < count; i += followers) {

@@ -12,23 +12,22 @@
 
 namespace lavaray::bench {
 
-// Rays of one kind, that are traced together.
+// Rays of one kind that are traced together.
 struct Batch {
   std::string name;
-  bool anyHit = false;      // any hit will do, as for a shadow ray; else the first is sought
-  bool isCoherent = false;  // neighbours go about the same way
+  bool anyHit = false;      // any hit will do, as for a shadow ray; else the first is wanted
+  bool isCoherent = false;  // neighbours have similar paths
   std::vector<gpu::BatchRay> rays;
 };
 
-// The batches of a picture: its camera rays and, from the points they hit, the mirrored rays and the shadow
-// rays.
+// The batches of a picture: its camera rays and, from the points that they hit, mirror rays and shadow rays.
 struct PictureBatches {
   Batch camera;
   Batch shadow;
   Batch mirror;
 };
 
-// A scene on a Vulkan device, whose rays are traced by the renderer's own shader code.
+// A scene on a Vulkan device. The renderer's own shader code traces its rays.
 class DeviceTracer {
  public:
   DeviceTracer(vulkan::Device& device, const GpuScene& scene);
@@ -36,12 +35,12 @@ class DeviceTracer {
   // The rays that the renderer would trace from the points that the camera rays hit.
   PictureBatches follow(Batch camera);
 
-  // What trace() traces from now on.
+  // The rays that trace() traces from now on.
   void load(const Batch& batch);
   void trace();
-  // Reads the rays and writes as many results as trace(), without tracing.
+  // Reads and writes as much as trace(), without tracing.
   void readAndWrite();
-  // A distance for each ray: infinity for a miss, NaN where the device could not finish the search.
+  // A distance per ray: infinity for a miss, NaN if the device could not finish the search.
   [[nodiscard]] std::span<const float> distances() const;
 
   [[nodiscard]] std::size_t sceneBytes() const { return sceneBytes_; }

@@ -5,11 +5,11 @@
 
 namespace lavaray::bench {
 
-// Traces rays. Embree 3 and 4 name otherwise what goes with every query, and take it in another place.
+// Traces rays. Embree 3 and 4 differ in the name of a query's arguments, and in where they take them.
 class EmbreeTracer {
  public:
 #if RTC_VERSION_MAJOR >= 4
-  // What is the faster way for packets of such rays; it makes no difference to single ones.
+  // Coherence makes packets of such rays faster; it makes no difference to single rays.
   explicit EmbreeTracer(bool isCoherent = false) {
     rtcInitIntersectArguments(&intersect_);
     rtcInitOccludedArguments(&occluded_);
@@ -32,7 +32,7 @@ class EmbreeTracer {
   RTCIntersectArguments intersect_;
   RTCOccludedArguments occluded_;
 #else
-  // What is the faster way for packets of such rays; it makes no difference to single ones.
+  // Coherence makes packets of such rays faster; it makes no difference to single rays.
   explicit EmbreeTracer(bool isCoherent = false) {
     rtcInitIntersectContext(&context_);
     if (isCoherent) context_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;

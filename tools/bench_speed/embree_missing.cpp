@@ -1,4 +1,4 @@
-// Stands for embree_peer.cpp where the program is built without Embree.
+// Takes the place of embree_peer.cpp if the program is built without Embree.
 #include "peer.hpp"
 
 namespace lavaray::bench {

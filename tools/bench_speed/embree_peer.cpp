@@ -15,7 +15,7 @@ namespace lavaray::bench {
 namespace {
 
 constexpr float kMiss = std::numeric_limits<float>::infinity();
-constexpr std::size_t kBlock = 1024;  // rays that a thread takes at a time
+constexpr std::size_t kBlock = 1024;  // rays that a thread takes at once
 
 class Embree : public Peer {
  public:

@@ -39,7 +39,7 @@ class Picture {
       lights_.push_back(
           {light.position - scene.camera.position, light.ambient, light.diffuse, light.specular});
     }
-    // All shapes of a benchmark's scene have the same material.
+    // All shapes of a benchmark's scene share a material.
     const Material& m = scene.materials.front();
     material_ = {m.ambient, m.diffuse, m.specular, static_cast<float>(m.shininess)};
   }
@@ -60,7 +60,7 @@ class Picture {
 
  private:
   glm::vec3 shade(const glm::vec3& position, const glm::vec3& normal, const glm::vec3& toViewer) {
-    // Far more than the rounding of the position, far less than a triangle.
+    // Far more than the position's rounding error, far less than a triangle.
     const glm::vec3 magnitude = glm::abs(position);
     const float offset = 4e-6F * std::max({magnitude.x, magnitude.y, magnitude.z});
     glm::vec3 color = material_.ambient;

@@ -8,8 +8,8 @@
 
 namespace lavaray::bench {
 
-// Renders the scene's picture with Embree, single rays: camera rays, a shadow ray to each light, and the
-// illumination that lavaray computes. `embree` holds the shapes relative to the camera. `rgb` is row by row.
+// Renders the scene's picture with single rays of Embree: camera rays, a shadow ray to each light, and
+// lavaray's illumination. `embree` holds the shapes relative to the camera. `rgb` is row by row.
 void renderWithEmbree(RTCScene embree, const Scene& scene, const ImageSize& size, unsigned threads,
                       std::span<float> rgb);
 

@@ -27,7 +27,7 @@ Batch cameraRays(const Camera& camera, const ImageSize& size) {
   return batch;
 }
 
-// Distances may differ by what two ways to compute them round differently, for the most grazing rays.
+// Distances may differ by how two ways to compute them are rounded, which is most for grazing rays.
 bool agree(float a, float b, bool anyHit) {
   const bool hitA = std::isfinite(a);
   const bool hitB = std::isfinite(b);
@@ -45,7 +45,7 @@ BatchResult measureBatch(DeviceTracer& tracer, Peer* peer, const Batch& batch, i
     }
   }
   BatchResult result{batch.name, batch.rays.size(), 0, 0, {}, measure(contestants, rounds)};
-  // Not a contestant: what of lavaray's time is reading rays and writing results.
+  // Not a contestant: the part of lavaray's time that is reading rays and writing results.
   result.timings.push_back(
       measure({{"(lavaray, no tracing)", [&] { tracer.readAndWrite(); }}}, rounds).front());
 
@@ -99,7 +99,7 @@ PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, c
       contestants.push_back({variant.name, [&, variant] { peer->render(variant, size, peerRgb); }});
     }
   }
-  // The renderer finds the size of its dispatches in its first runs.
+  // In its first runs the renderer finds the size of its dispatches.
   for (int i = 0; i < 2; ++i) contestants.front().run();
   PictureResult result;
   result.timings = measure(contestants, options.rounds);
@@ -137,7 +137,7 @@ SceneResult measureScene(vulkan::Device& device, const BenchScene& scene, const 
     result.bytes = tracer.sceneBytes();
     PictureBatches batches = tracer.follow(cameraRays(scene.scene.camera, options.size));
     result.picture.rays = batches.camera.rays.size() + batches.shadow.rays.size();
-    // From its own surface, a sphere's far side is seen by Embree and not by lavaray: no longer the same
+    // From a sphere's own surface Embree sees the sphere's far side, lavaray does not: that is not the same
     // work.
     if (scene.isSpheres) batches.shadow.rays = batches.mirror.rays = {};
     for (const Batch* batch : {&batches.camera, &batches.shadow, &batches.mirror}) {

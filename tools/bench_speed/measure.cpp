@@ -32,7 +32,7 @@ std::vector<Timing> measure(const std::vector<Contestant>& contestants, int roun
   return timings;
 }
 
-double least(const std::vector<double>& values) {
+double minimum(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
 

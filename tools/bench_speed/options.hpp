@@ -19,8 +19,8 @@ struct Options {
   std::filesystem::path json;  // empty: none
 };
 
-// The command line's options; nothing where it asked for help, which has been printed then. Throws
-// Error(kUsage) where it cannot be obeyed.
+// The command line's options; nothing if it asked for help, which has been printed then. Throws
+// Error(kUsage).
 std::optional<Options> parseOptions(int argc, const char* const* argv);
 
 }  // namespace lavaray::bench

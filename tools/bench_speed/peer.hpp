@@ -10,13 +10,13 @@
 
 namespace lavaray::bench {
 
-// Another ray tracer of this process. It has the scene's shapes in float32, relative to the camera, in the
+// Another ray tracer in this process. It has the scene's shapes in float32, relative to the camera, in the
 // scene's order: the very numbers that lavaray has.
 class Peer {
  public:
   virtual ~Peer() = default;
 
-  // Its ways to trace; the first is the one that lavaray's hits must agree with.
+  // Its ways to trace. lavaray's hits must agree with those of the first.
   struct Variant {
     std::string name;
     bool isRobust;
@@ -26,17 +26,17 @@ class Peer {
 
   // As DeviceTracer::distances; any finite distance for an any-hit.
   virtual void trace(const Variant& variant, const Batch& batch, std::span<float> distances) = 0;
-  // The whole picture, one sample in each pixel's centre, shaded as lavaray does: row by row, three channels.
+  // The whole picture, one sample at each pixel's centre, shaded as by lavaray: row by row, three channels.
   virtual void render(const Variant& variant, const ImageSize& size, std::span<float> rgb) = 0;
-  // Builds the hierarchy of the default variant anew.
+  // Rebuilds the hierarchy of the default variant.
   virtual void build() = 0;
   [[nodiscard]] virtual std::size_t sceneBytes() const = 0;  // of the default variant, shapes included
 };
 
-// What there is to say about Embree: its version and how it is used, or why it is missing.
+// Embree's version and how it is used, or why it is missing.
 std::string embreeDescription();
 
-// Null where the program is built without Embree.
+// Null if the program is built without Embree.
 std::unique_ptr<Peer> openEmbree(const Scene& scene, unsigned threads);
 
 }  // namespace lavaray::bench

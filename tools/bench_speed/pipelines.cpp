@@ -1,8 +1,7 @@
-// Measures what specialization is worth: for each scene the time until the pipeline that has only what the
-// scene needs has traced a first pixel, and the time of a picture by it, against the general pipeline; and
-// the time of a picture by the pipeline that reads the scene from storage buffers, which has the hierarchy in
-// any scene. Run without a cache of shaders (tools/bench-speed sees to that), as a cached one needs no
-// compiling.
+// Measures what specialization is worth. For each scene it compares the pipeline that has only what the scene
+// needs with the general one, by the time until the first pixel is traced and by the time of a picture. It
+// also times a picture by the pipeline that reads the scene from storage buffers, which always has the
+// hierarchy. Run it without a shader cache, as tools/bench-speed does: a cached shader needs no compiling.
 #include <charconv>
 #include <iomanip>
 #include <iostream>
@@ -41,7 +40,8 @@ void trace(Tracer& tracer, std::uint64_t pixels) {
       0, pixels, {}, [](std::uint64_t, std::span<const gpu::WorkResult>) {}, [] { return false; });
 }
 
-// Milliseconds of the clock until the first pixel, and of the processors for a picture; least of the rounds.
+// Milliseconds by the clock until the first pixel, and of processor time for a picture; the minimum of the
+// rounds.
 void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
   const Scene scene = readScene(file);
   const GpuScene gpuScene = flatten(scene, 1);
@@ -76,13 +76,13 @@ void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
                                                 {"storage", [&] { trace(storageTracer, pixels); }}},
                                                rounds);
   std::cout << std::left << std::setw(24) << scene.file.filename().string() << std::right << std::fixed;
-  for (const double value : {1e3 * least(cold[0].wall), 1e3 * least(cold[1].wall),
-                             1e3 * least(pictures[0].cpu), 1e3 * least(pictures[1].cpu)}) {
+  for (const double value : {1e3 * minimum(cold[0].wall), 1e3 * minimum(cold[1].wall),
+                             1e3 * minimum(pictures[0].cpu), 1e3 * minimum(pictures[1].cpu)}) {
     std::cout << std::setprecision(1) << std::setw(10) << value;
   }
-  std::cout << std::setprecision(2) << std::setw(10) << least(cold[1].wall) / least(cold[0].wall)
-            << std::setw(10) << least(pictures[1].cpu) / least(pictures[0].cpu) << std::setw(12)
-            << least(pictures[2].cpu) / least(pictures[1].cpu) << std::endl;
+  std::cout << std::setprecision(2) << std::setw(10) << minimum(cold[1].wall) / minimum(cold[0].wall)
+            << std::setw(10) << minimum(pictures[1].cpu) / minimum(pictures[0].cpu) << std::setw(12)
+            << minimum(pictures[2].cpu) / minimum(pictures[1].cpu) << std::endl;
 }
 
 ExitCode run(std::span<const char* const> arguments) {

@@ -12,7 +12,7 @@ BUILDS = {"lavaray all arrays": "lavaray", "embree default commit": "embree defa
 
 
 def curves(rows):
-    """`rows`: (x, items, timings) in any order; the least processor nanoseconds of an item, by contestant."""
+    """`rows`: (x, items, timings) in any order. The minimum processor nanoseconds per item, by contestant."""
     result = {name: [] for name in STYLES}
     for x, items, timings in sorted(rows, key=lambda row: row[0]):
         for timing in timings:

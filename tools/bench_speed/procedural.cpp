@@ -9,7 +9,7 @@
 namespace lavaray::bench {
 namespace {
 
-// In [-1, 1). The standard's distributions differ between libraries; the generator itself does not.
+// In [-1, 1). The standard's distributions differ between libraries, its generator does not.
 double uniform(std::mt19937& random) {
   return static_cast<double>(random()) / 2147483648.0 - 1.0;
 }
@@ -50,12 +50,12 @@ class Bumps {
   std::array<std::array<Wave, kWaves>, 6> octaves_;
 };
 
-// The tangent makes the pieces of the ball about equal. 1 stays exactly 1, so that the faces meet.
+// The tangent makes the cells of the ball about equal. 1 stays exactly 1, so that the faces meet.
 double onCube(double u) {
   return std::abs(u) == 1.0 ? u : std::tan(std::atan(1.0) * u);
 }
 
-// The point of a cube's face at (u, v) in [-1, 1]^2, moved onto the ball.
+// The point at (u, v) in [-1, 1]^2 of a face of the cube, moved onto the ball.
 glm::dvec3 onUnitBall(int face, double u, double v) {
   const double x = onCube(u);
   const double y = onCube(v);

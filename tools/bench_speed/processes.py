@@ -23,11 +23,11 @@ BUNNY_SIDE = 1024  # pixels
 
 
 class ProgramError(Exception):
-    """A program failed; the message says all that is known."""
+    """A program has failed; the message says all that is known."""
 
 
 def parse(text):
-    """The blocks of a scene file in the format's plain form: (kind, {key: words})."""
+    """The blocks of a scene file in the plain form of the format: (kind, {key: words})."""
     blocks = []
     for line in text.splitlines()[1:]:
         key, colon, words = line.partition(":")
@@ -39,7 +39,7 @@ def parse(text):
 
 
 def image_size(lavaray, file):
-    """Width and height of a scene's picture, as the program says."""
+    """Width and height of a scene's picture, according to the program."""
     with tempfile.TemporaryDirectory() as folder:
         facts = Path(folder) / "facts.json"
         found = subprocess.run([lavaray, file, "--check", "--json", facts], capture_output=True, text=True, check=False)
@@ -51,8 +51,8 @@ def image_size(lavaray, file):
 
 def bunny_scene(mesh):
     """The bunny, on a plane, between two lights."""
-    places = [tuple(map(float, line.split()[1:4])) for line in mesh.read_text().splitlines() if line.startswith("v ")]
-    low, high = ([pick(column) for column in zip(*places)] for pick in (min, max))
+    points = [tuple(map(float, line.split()[1:4])) for line in mesh.read_text().splitlines() if line.startswith("v ")]
+    low, high = ([pick(column) for column in zip(*points)] for pick in (min, max))
     size = max(h - l for l, h in zip(low, high))
     x, y, z = ((l + h) / 2 for l, h in zip(low, high))
     focal_length = (BUNNY_SIDE + 0.5) / (2 * math.tan(math.radians(22.5)))
@@ -151,7 +151,7 @@ def run(command, environment):
 
 
 def scene_files(shared, out):
-    """(name, scene file), and what is skipped, each with the reason."""
+    """(name, scene file) pairs, and what is skipped, each with its reason."""
     files, skipped = [], []
     mesh, course = shared / "meshes/stanford-bunny.obj", shared / "course/scene5.txt"
     if mesh.exists():
@@ -178,7 +178,7 @@ def contestants(name, file, lavaray, povray, out, device, threads):
         width, height = image_size(lavaray, file)
         pov, image = out / f"{name}.pov", out / f"{name}-povray.ppm"
         pov.write_text(pov_scene(plain(text), file.parent, (width, height)))
-        # Its own defaults, but for threads, no anti-aliasing, no window, and values as they are.
+        # Its own defaults, except for threads, no anti-aliasing, no window, and values without gamma.
         command = [povray, f"+I{pov}", f"+O{image}", "+FP", f"+W{width}", f"+H{height}", f"+WT{threads}", "-A", "-D",
                    "-GA", "File_Gamma=1.0"]
         result.append(("povray", command, {}, image))
@@ -186,7 +186,7 @@ def contestants(name, file, lavaray, povray, out, device, threads):
 
 
 def difference(lavaray, diff, file, image, out, device):
-    """Root-mean-square difference, 0..1, between POV-Ray's image and lavaray's of the plain scene."""
+    """Root-mean-square difference, 0..1, between POV-Ray's and lavaray's images of the plain scene."""
     scene, own = out / f"{file.stem}-plain.txt", out / f"{file.stem}-plain.ppm"
     scene.write_text(plain(file.read_text()))
     run([lavaray, scene, "-q", "-o", own, *device], {})

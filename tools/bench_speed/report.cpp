@@ -16,8 +16,8 @@ const Timing* find(const std::vector<Timing>& timings, const std::string& name) 
   return place == timings.end() ? nullptr : &*place;
 }
 
-// Milliseconds of processor and clock, least and median; `perItem` adds nanoseconds of the least processor
-// time for one of `items`, and how many times the reference's that is.
+// Milliseconds of processor and clock time, minimum and median; the minimum processor time in nanoseconds per
+// item; and how many times the reference's that is.
 void printTimings(std::ostream& out, const std::vector<Timing>& timings, std::size_t items,
                   const char* item) {
   const Timing* reference = find(timings, kReference);
@@ -28,12 +28,12 @@ void printTimings(std::ostream& out, const std::vector<Timing>& timings, std::si
   out << '\n';
   for (const Timing& timing : timings) {
     out << "    " << std::left << std::setw(24) << timing.name << std::right << std::setprecision(1)
-        << std::setw(11) << 1e3 * least(timing.cpu) << std::setw(9) << 1e3 * median(timing.cpu)
-        << std::setw(13) << 1e3 * least(timing.wall) << std::setw(9) << 1e3 * median(timing.wall)
-        << std::setw(8) << 1e9 * least(timing.cpu) / static_cast<double>(items)
+        << std::setw(11) << 1e3 * minimum(timing.cpu) << std::setw(9) << 1e3 * median(timing.cpu)
+        << std::setw(13) << 1e3 * minimum(timing.wall) << std::setw(9) << 1e3 * median(timing.wall)
+        << std::setw(8) << 1e9 * minimum(timing.cpu) / static_cast<double>(items)
         << std::string(1 + std::string(item).size(), ' ');
     if (reference != nullptr) {
-      out << std::setprecision(2) << std::setw(10) << least(timing.cpu) / least(reference->cpu);
+      out << std::setprecision(2) << std::setw(10) << minimum(timing.cpu) / minimum(reference->cpu);
     }
     out << '\n';
   }
@@ -51,11 +51,11 @@ void printBatch(std::ostream& out, const BatchResult& batch) {
   printTimings(out, batch.timings, batch.rays, "ray");
 }
 
-// Least processor nanoseconds of an item; - where it was not measured.
+// Minimum processor nanoseconds per item; - if it was not measured.
 std::string perItem(const std::vector<Timing>& timings, const char* name, std::size_t items) {
   const Timing* timing = find(timings, name);
   if (timing == nullptr) return "-";
-  return std::to_string(std::llround(1e9 * least(timing->cpu) / static_cast<double>(items)));
+  return std::to_string(std::llround(1e9 * minimum(timing->cpu) / static_cast<double>(items)));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace lavaray::bench {
 
-// Rays traced by all contestants. The peer's figures are absent where there is no peer.
+// Rays traced by all contestants. Without a peer, its figures are absent.
 struct BatchResult {
   std::string name;
   std::size_t rays = 0;
@@ -20,7 +20,7 @@ struct BatchResult {
   std::vector<Timing> timings;
 };
 
-// The whole picture, rays made and points shaded by each contestant itself.
+// The whole picture; each contestant makes its own rays and shades its own points.
 struct PictureResult {
   std::size_t rays = 0;                        // camera and shadow rays
   std::optional<std::size_t> differingPixels;  // by more than one level of 255 in a channel

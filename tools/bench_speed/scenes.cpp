@@ -59,8 +59,8 @@ Extent extentOf(const Scene& scene) {
   return extent;
 }
 
-// The camera sees the front of the extent from edge to edge; one light stands to the upper left, a weaker one
-// to the right, both on the camera's side.
+// The camera sees the front of the extent from edge to edge. One light is to the upper left, a weaker one to
+// the right, both on the camera's side.
 void addCameraAndLights(Scene& scene, const ImageSize& size) {
   const Extent extent = extentOf(scene);
   const glm::dvec3 center = 0.5 * (extent.lower + extent.upper);
@@ -68,7 +68,7 @@ void addCameraAndLights(Scene& scene, const ImageSize& size) {
   const double tangent = std::tan(std::numbers::pi / 8.0);
   const double aspect = static_cast<double>(size.width) / size.height;
   scene.camera.fovDegrees = 45.0;
-  // Half a pixel more than asked for, since the size is truncated.
+  // Half a pixel more than asked for, as the size is truncated.
   scene.camera.focalLength = (size.height + 0.5) / (2.0 * tangent);
   scene.camera.aspect = (size.width + 0.5) / size.height;
   const double distance = 1.02 * std::max(half.y, half.x / aspect) / tangent;
@@ -130,7 +130,7 @@ std::optional<BenchScene> makeScene(const std::string& name, const std::filesyst
     scene.meshObjects.push_back({0, 0});
     result.primitives = scene.meshes[0].triangles.size();
   }
-  // Every sphere is an object of its own, a mesh is one.
+  // Each sphere is an object of its own, a mesh is a single one.
   scene.materials.resize(std::max<std::size_t>(1, scene.spheres.size()), material());
   addCameraAndLights(scene, size);
   return result;
