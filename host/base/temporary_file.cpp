@@ -137,10 +137,10 @@ bool TemporaryFile::replaceTarget() {
 
 fs::path TemporaryFile::keep() {
   const std::string letters = "-" + randomLetters();
-  std::string ending = target_.extension().string();
-  if (letters.size() + ending.size() >= NAME_MAX) ending.clear();
-  const std::string stem = target_.stem().string().substr(0, NAME_MAX - letters.size() - ending.size());
-  const std::string visible = stem + letters + ending;
+  std::string extension = target_.extension().string();
+  if (letters.size() + extension.size() >= NAME_MAX) extension.clear();
+  const std::string stem = target_.stem().string().substr(0, NAME_MAX - letters.size() - extension.size());
+  const std::string visible = stem + letters + extension;
   fs::path kept = folder_ / visible;
   if (std::rename(name_.c_str(), kept.c_str()) != 0) kept = name_;
   forgetName();

@@ -24,20 +24,20 @@ using namespace std::string_view_literals;
 struct Format {
   const char* name;
   std::string_view magic;  // first bytes of a file
-  std::string_view endings;
+  std::string_view extensions;
   Image (*read)(const EncodedImage&);
 };
 
-constexpr std::string_view kPnmEndings = ".ppm .pgm .pbm .pnm ";
+constexpr std::string_view kPnmExtensions = ".ppm .pgm .pbm .pnm ";
 constexpr std::array kFormats{
     Format{"PNG", "\x89PNG\r\n\x1A\n"sv, ".png ", readPng},
     Format{"BMP", "BM"sv, ".bmp .dib ", readBmp},
-    Format{"PBM", "P1"sv, kPnmEndings, readPnm},
-    Format{"PGM", "P2"sv, kPnmEndings, readPnm},
-    Format{"PPM", "P3"sv, kPnmEndings, readPnm},
-    Format{"PBM", "P4"sv, kPnmEndings, readPnm},
-    Format{"PGM", "P5"sv, kPnmEndings, readPnm},
-    Format{"PPM", "P6"sv, kPnmEndings, readPnm},
+    Format{"PBM", "P1"sv, kPnmExtensions, readPnm},
+    Format{"PGM", "P2"sv, kPnmExtensions, readPnm},
+    Format{"PPM", "P3"sv, kPnmExtensions, readPnm},
+    Format{"PBM", "P4"sv, kPnmExtensions, readPnm},
+    Format{"PGM", "P5"sv, kPnmExtensions, readPnm},
+    Format{"PPM", "P6"sv, kPnmExtensions, readPnm},
     Format{"PFM", "PF"sv, ".pfm ", readPfm},
     Format{"PFM", "Pf"sv, ".pfm ", readPfm},
     Format{"EXR", "\x76\x2F\x31\x01"sv, ".exr ", readExr},
@@ -97,11 +97,11 @@ const Format& formatOf(const EncodedImage& file) {
 }
 
 // An extension that belongs to another format than the file's bytes is not an error, but worth a note.
-void noteFalseEnding(const std::filesystem::path& file, const Format& format, ImageSource& source) {
-  const std::string ending = lowerCaseExtension(file) + " ";
-  if (format.endings.find(ending) != std::string_view::npos) return;
+void noteWrongExtension(const std::filesystem::path& file, const Format& format, ImageSource& source) {
+  const std::string extension = lowerCaseExtension(file) + " ";
+  if (format.extensions.find(extension) != std::string_view::npos) return;
   for (const Format& other : kFormats) {
-    if (ending.size() > 1 && other.endings.find(ending) != std::string_view::npos) {
+    if (extension.size() > 1 && other.extensions.find(extension) != std::string_view::npos) {
       source.notes.push_back(std::string("is read as the ") + format.name +
                              " image that it is, not as its ending says");
       return;
@@ -130,7 +130,7 @@ Image parseImage(std::string_view bytes, const std::filesystem::path& file) {
   const Format& format = formatOf(encoded);
   Image image = format.read(encoded);
   image.source.format = format.name;
-  noteFalseEnding(file, format, image.source);
+  noteWrongExtension(file, format, image.source);
   return image;
 }
 

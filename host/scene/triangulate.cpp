@@ -79,7 +79,7 @@ const std::vector<Triangulator::Corners>& Triangulator::triangulate(std::span<co
       isFresh = true;
     } else {
       const std::uint32_t corner = fallbackCorner();
-      crossesItself = crossesItself || areaAt(corner) != 0.0;
+      crossesItself = crossesItself || twiceAreaAt(corner) != 0.0;
       clip(corner);
     }
   }
@@ -131,14 +131,14 @@ void Triangulator::link() {
   shapes_.resize(left_);
 }
 
-double Triangulator::areaAt(std::uint32_t corner) const {
+double Triangulator::twiceAreaAt(std::uint32_t corner) const {
   return twiceArea(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
 }
 
 void Triangulator::classifyAll() {
   notConvex_.clear();
   for (std::uint32_t i = 0, corner = first_; i < left_; ++i, corner = next_[corner]) {
-    shapes_[corner] = areaAt(corner) > 0.0 ? Shape::kConvex : Shape::kNotConvex;
+    shapes_[corner] = twiceAreaAt(corner) > 0.0 ? Shape::kConvex : Shape::kNotConvex;
     if (shapes_[corner] == Shape::kNotConvex) notConvex_.push_back(corner);
   }
   for (std::uint32_t i = 0, corner = first_; i < left_; ++i, corner = next_[corner]) {
@@ -147,7 +147,7 @@ void Triangulator::classifyAll() {
 }
 
 void Triangulator::classify(std::uint32_t corner) {
-  if (areaAt(corner) > 0.0) {
+  if (twiceAreaAt(corner) > 0.0) {
     shapes_[corner] = isBlocked(corner) ? Shape::kConvex : Shape::kEar;
   } else if (shapes_[corner] != Shape::kNotConvex) {
     shapes_[corner] = Shape::kNotConvex;
@@ -214,7 +214,7 @@ bool Triangulator::clipEars() {
 std::uint32_t Triangulator::fallbackCorner() const {
   std::optional<std::uint32_t> convex;
   for (std::uint32_t i = 0, corner = first_; i < left_; ++i, corner = next_[corner]) {
-    const double area = areaAt(corner);
+    const double area = twiceAreaAt(corner);
     if (area == 0.0) return corner;
     if (area > 0.0 && !convex) convex = corner;
   }

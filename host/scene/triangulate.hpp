@@ -29,7 +29,7 @@ class Triangulator {
  private:
   bool project(std::span<const glm::dvec3> polygon);
   void link();
-  [[nodiscard]] double areaAt(std::uint32_t corner) const;
+  [[nodiscard]] double twiceAreaAt(std::uint32_t corner) const;
   void classifyAll();
   void classify(std::uint32_t corner);
   bool isBlocked(std::uint32_t corner);
