@@ -1,4 +1,4 @@
-// What the traversal promises besides finding the nearest hit, which tests/stress/bvh.cpp is about.
+// What the traversal promises besides finding the nearest hit, which tests/stress/traversal.cpp is about.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -31,6 +31,14 @@ struct PathPoint {
   std::vector<LightState> lights;
 };
 
+// A point of the path, to be lit.
+struct ShadedPoint {
+  dvec3 position;
+  dvec3 toViewer;  // of unit length
+  const Material& material;
+  PathPoint& path;
+};
+
 // What a shadow ray along an occluder's edge says.
 enum class Doubtful : std::uint8_t { kAsComputed, kIsBlocked, kIsVisible };
 
@@ -101,15 +109,16 @@ class Tracer {
     const Normal normal = shadingNormal(geometry_, hit.surface, position, ray.direction);
     const Material& material = scene_.materials[identity(geometry_, hit.surface).object];
     trace.certain = trace.certain && normal.certain;
-    PathPoint point{hit.surface, normal.direction, {}};
+    PathPoint pathPoint{hit.surface, normal.direction, {}};
+    const ShadedPoint point{position, -ray.direction, material, pathPoint};
     dvec3 color = material.ambient;
     for (const Light& light : scene_.lights) {
       const dvec3 center = light.position - scene_.camera.position;
       const bool sampled = trace.random != nullptr && light.radius > 0.0;
       const dvec3 seen = sampled ? pointOnLight(position, center, light.radius, *trace.random) : center;
-      color += lightTerm(light, seen, position, point, -ray.direction, material, trace);
+      color += lightTerm(light, seen, point, trace);
     }
-    trace.path.push_back(std::move(point));
+    trace.path.push_back(std::move(pathPoint));
 
     const dvec3 mirrored = weight * material.reflectance;
     if (largest(mirrored) < kLeastWeight || depth >= maxDepth_) return color;
@@ -119,37 +128,39 @@ class Tracer {
     return color + material.reflectance * radiance(reflected, mirrored, depth + 1, compareCoincident, trace);
   }
 
-  // The light's share of the point's colour, as if it were at `lightPosition`; adds to `point` what the light
-  // is to it.
-  dvec3 lightTerm(const Light& light, const dvec3& lightPosition, const dvec3& position, PathPoint& point,
-                  const dvec3& toViewer, const Material& material, Trace& trace) const {
+  // The light's share of the point's colour, as if the light were at `lightPosition`. Adds what the light is
+  // to the point to its path.
+  dvec3 lightTerm(const Light& light, const dvec3& lightPosition, const ShadedPoint& point,
+                  Trace& trace) const {
+    const Material& material = point.material;
     bool& certain = trace.certain;
-    const dvec3 toLight = lightPosition - position;
+    const dvec3 toLight = lightPosition - point.position;
     const double distance = glm::length(toLight);
-    const double scale = magnitude(position) + magnitude(lightPosition);
+    const double scale = magnitude(point.position) + magnitude(lightPosition);
     if (distance <= kFloatError * scale) certain = false;
     if (distance <= kOnSurface * scale) {
-      point.lights.push_back(LightState::kAtThePoint);
+      point.path.lights.push_back(LightState::kAtThePoint);
       return light.ambient * material.ambient;
     }
-    const Occlusion shadow = occlusion(geometry_, position, point.surface, lightPosition);
+    const Occlusion shadow = occlusion(geometry_, point.position, point.path.surface, lightPosition);
     certain = certain && shadow.certain;
     const bool isOpen = shadow.certain || trace.doubtful == Doubtful::kAsComputed;
     if (isOpen ? shadow.blocked : trace.doubtful == Doubtful::kIsBlocked) {
-      point.lights.push_back(LightState::kBlocked);
+      point.path.lights.push_back(LightState::kBlocked);
       return dvec3(0.0);
     }
     const dvec3 l = toLight / distance;
-    const double cosine = glm::dot(l, point.normal);
+    const double cosine = glm::dot(l, point.path.normal);
     const dvec3 ambient = light.ambient * material.ambient;
     const dvec3 specular = light.specular * material.specular;
     const bool shiny = largest(specular) > 0.0;
     if (shiny && std::abs(cosine) < 1e-5) certain = false;
     // The diffuse term passes through l.n = 0 without a step, so that the sign is of interest only if shiny.
-    point.lights.push_back(shiny && cosine <= 0.0 ? LightState::kVisibleFromBehind : LightState::kVisible);
+    point.path.lights.push_back(shiny && cosine <= 0.0 ? LightState::kVisibleFromBehind
+                                                       : LightState::kVisible);
     if (cosine <= 0.0) return ambient;
-    const dvec3 mirrored = 2.0 * cosine * point.normal - l;
-    const double alignment = glm::dot(mirrored, toViewer);
+    const dvec3 mirrored = 2.0 * cosine * point.path.normal - l;
+    const double alignment = glm::dot(mirrored, point.toViewer);
     // x^shi is infinitely steep at 0 if shi < 1 and close to it at 1 if shi is large.
     const double step = power(alignment + kFloatError, material.shininess) -
                         power(alignment - kFloatError, material.shininess);

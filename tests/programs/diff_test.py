@@ -4,13 +4,13 @@ integers, and of depths beside each other. Its figures are compared with those c
 import math
 import pathlib
 import re
-import shutil
 import struct
 import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from checks import check, finish, make_anew
 import image_cases
 
 WIDTH, HEIGHT = image_cases.WIDTH, image_cases.HEIGHT
@@ -20,22 +20,16 @@ LIMITS = (["--tolerance", "255"], ["--max-differing", "1000"], ["--max-rmse", "1
           ["--tolerance", "255", "--max-differing", "1000", "--max-rmse", "1e30", "--max-flip", "1"])
 
 programs, scratch = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-failures = []
-checks = 0
 
 
 def holds(what, condition):
-    global checks
-    checks += 1
-    if not condition:
-        failures.append(what)
-        print(f"FAILED: {what}\n{diff.printed}")
+    check(condition, what, diff.found)
 
 
 def diff(image, reference, *options):
     """The exit code, and what is printed, by the words that its lines begin with."""
     result = subprocess.run([programs / "lavaray-diff", image, reference, *options], cwd=scratch, capture_output=True, text=True)
-    diff.printed = f"{image} {reference} {options}: {result.returncode}\n{result.stdout}{result.stderr}"
+    diff.found = result
     holds("no number that is printed is NaN", not re.search(r"(?<![a-z])-?nan\b", result.stdout))
     return result.returncode, {line[:13].strip(): line[13:] for line in result.stdout.splitlines()}
 
@@ -210,10 +204,8 @@ def notes():
     holds("gamma is named", b"IMAGE its gamma of 1 (gAMA) is not applied" in result.stdout)
 
 
-shutil.rmtree(scratch, ignore_errors=True)
-scratch.mkdir(parents=True)
-diff.printed = ""
+make_anew(scratch)
+diff.found = None
 for part in (not_finite, alpha, depths, floats, notes):
     part()
-print(f"{checks} checks, {len(failures)} failed")
-sys.exit(1 if failures else 0)
+finish()

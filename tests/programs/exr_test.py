@@ -12,18 +12,12 @@ import subprocess
 import sys
 import zlib
 
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from checks import check, finish
+
 programs, scenes, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 scratch.mkdir(parents=True, exist_ok=True)
-failures = 0
-checks = 0
-
-
-def check(holds, what):
-    global failures, checks
-    checks += 1
-    if not holds:
-        failures += 1
-        print(f"FAILED: {what}")
 
 
 def run(program, *arguments, code=0):
@@ -243,5 +237,4 @@ def test_files():
 
 for test in (test_picture, test_crop_and_merge, test_layers, test_estimates, test_files):
     test()
-print(f"{checks} checks, {failures} failures")
-sys.exit(1 if failures else 0)
+finish()

@@ -9,9 +9,12 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import check, finish, make_anew, skip
 
 NO_HOST_MEMORY, NO_DEVICE_MEMORY, LOST, NO_MAP, NO_SHADER = -1, -2, -4, -5, -1000012000
 NAMES = {NO_HOST_MEMORY: 'VK_ERROR_OUT_OF_HOST_MEMORY', NO_DEVICE_MEMORY: 'VK_ERROR_OUT_OF_DEVICE_MEMORY',
@@ -47,12 +50,10 @@ CALLS = [
 
 def main():
     programs, scenes, driver, work = (pathlib.Path(name).resolve() for name in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     mesa = next(iter(sorted(pathlib.Path('/usr/share/vulkan/icd.d').glob('lvp_icd*.json'))), None)
     if mesa is None:
-        print('skipped: there is no software driver of Mesa')
-        sys.exit(77)
+        skip('there is no software driver of Mesa')
     manifest = work / 'failing.json'
     icd = json.loads(mesa.read_text())
     variables = dict(os.environ, LC_ALL='C', LAVARAY_DRIVER=icd['ICD']['library_path'])
@@ -66,19 +67,13 @@ def main():
                               env=dict(variables, LAVARAY_FAILING_FUNCTION=function, LAVARAY_RESULT=str(result)),
                               capture_output=True, text=True, timeout=120)
 
-    failures = 0
     for function, result, action in CALLS:
         found = render(function, result)
         message = f'lavaray: cannot {action}: [^:]+[;?][^:]* \\({NAMES[result]}\\)\n'
-        if found.returncode != 4 or not re.fullmatch(message, found.stderr) or picture.exists():
-            failures += 1
-            print(f'FAILED: {function}: exit code {found.returncode}\n{found.stderr}')
+        check(found.returncode == 4 and re.fullmatch(message, found.stderr) and not picture.exists(), function, found)
     found = render('none', 0)
-    if found.returncode != 0 or not picture.exists():
-        failures += 1
-        print(f'FAILED: without a fault: exit code {found.returncode}\n{found.stderr}')
-    print(f'{len(CALLS)} functions fail, {failures} failures')
-    sys.exit(1 if failures else 0)
+    check(found.returncode == 0 and picture.exists(), 'without a fault', found)
+    finish()
 
 
 main()

@@ -11,14 +11,9 @@ import shutil
 import subprocess
 import sys
 
-checks = 0
-
-
-def check(condition, what):
-    global checks
-    checks += 1
-    if not condition:
-        sys.exit(f'FAILED: {what}')
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import demand, finish, make_anew
 
 
 def main():
@@ -26,8 +21,7 @@ def main():
     sys.path.insert(0, str(tools))
     sys.dont_write_bytecode = True
     from farm_jobs import cuts, jobs, plan
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
 
     # Cuts by cost: equal where they can be, every strip a row at least, all rows once.
     chance = random.Random(1)
@@ -36,18 +30,18 @@ def main():
         parts = chance.randrange(1, height + 1)
         costs = [chance.choice([0.0, 1.0, chance.random() * 50]) for _ in range(chance.randrange(1, 100))]
         rows = cuts.equal_cuts(costs, height, parts)
-        check(rows[0] == 0 and rows[-1] == height and len(rows) == parts + 1, 'cuts have all rows')
-        check(all(a < b for a, b in zip(rows, rows[1:])), f'strips have rows: {rows}')
-        check(sorted(cuts.interleaved(parts)) == list(range(parts)), 'an order of all parts')
-    check(cuts.equal_cuts([1, 1, 3, 3], 400, 4) == [0, 200, 267, 333, 400], 'strips of equal cost')
-    check(jobs.ranges([0, 1, 2, 5, 7, 8]) == '0-2,5,7-8', 'ranges')
+        demand(rows[0] == 0 and rows[-1] == height and len(rows) == parts + 1, 'cuts have all rows')
+        demand(all(a < b for a, b in zip(rows, rows[1:])), f'strips have rows: {rows}')
+        demand(sorted(cuts.interleaved(parts)) == list(range(parts)), 'an order of all parts')
+    demand(cuts.equal_cuts([1, 1, 3, 3], 400, 4) == [0, 200, 267, 333, 400], 'strips of equal cost')
+    demand(jobs.ranges([0, 1, 2, 5, 7, 8]) == '0-2,5,7-8', 'ranges')
 
     scene = scenes / 'extensions.txt'
     options = ['--width', '150', '--spp', '16', '--seed', '7']
 
     def run(*command, code=0, cwd=work):
         found = subprocess.run([*map(str, command)], capture_output=True, text=True, cwd=cwd)
-        check(found.returncode == code, f'{command} ended with {found.returncode}: {found.stderr}')
+        demand(found.returncode == code, f'{command} ended with {found.returncode}: {found.stderr}')
         return found
 
     def farm(*arguments, code=0):
@@ -63,7 +57,7 @@ def main():
         for parts in (1, 2, 4):
             arguments = [scene, *options, '--parts', parts, '--by', by, '-o', f'{by}{parts}.png']
             tasks = farm(*arguments, '--print=tasks').stdout.splitlines()
-            check(len(tasks) == parts, f'{parts} tasks: {tasks}')
+            demand(len(tasks) == parts, f'{parts} tasks: {tasks}')
             chance.shuffle(tasks)
             for task in tasks:
                 run('sh', '-c', task)
@@ -80,10 +74,10 @@ def main():
                                           (1000, 500, [], (1000, 500))):
         half = work / 'half.txt'
         half.write_text(f'1\ncamera\npos: 0 0 0\nfov: 90\nf: {height / 2}\na: {width / height}\n')
-        check(plan.scene_facts(programs / 'lavaray', half, options_)[:2] == size, f'{options_} of {width} x {height}')
+        demand(plan.scene_facts(programs / 'lavaray', half, options_)[:2] == size, f'{options_} of {width} x {height}')
         run(programs / 'lavaray', half, *options_, '-o', 'half.ppm', '-q')
         header = (work / 'half.ppm').read_bytes().split(b'\n')[1].decode()
-        check(header == '%d %d' % size, f'{options_} of {width} x {height} is a picture of {header}')
+        demand(header == '%d %d' % size, f'{options_} of {width} x {height} is a picture of {header}')
     half.write_text('1\ncamera\npos: 0 0 0\nfov: 90\nf: 250\na: 2\n')
     arguments = [half, '--width', '1001', '--parts', 2, '-o', 'half.png']
     for task in farm(*arguments, '--print=tasks').stdout.splitlines():
@@ -104,12 +98,12 @@ def main():
     missing.unlink()
     found = run('sh', folder / 'merge.sh', code=3)
     for part in (damaged, cut, missing):
-        check(part.name in found.stderr, f'{part.name} is named: {found.stderr}')
-    check('rows4-0001' not in found.stderr, f'a good part is not named: {found.stderr}')
+        demand(part.name in found.stderr, f'{part.name} is named: {found.stderr}')
+    demand('rows4-0001' not in found.stderr, f'a good part is not named: {found.stderr}')
     found = farm(*arguments, '--print=tasks')
-    check([line[-1] for line in found.stdout.splitlines()] == ['0', '2', '3'], f'what is left: {found.stdout}')
-    check('1 of 4 tasks are done already' in found.stderr, found.stderr)
-    check('--array=0,2-3' in farm(*arguments, '--print').stdout, 'only what is left is submitted')
+    demand([line[-1] for line in found.stdout.splitlines()] == ['0', '2', '3'], f'what is left: {found.stdout}')
+    demand('1 of 4 tasks are done already' in found.stderr, found.stderr)
+    demand('--array=0,2-3' in farm(*arguments, '--print').stdout, 'only what is left is submitted')
 
     # A task that is ended goes on from its checkpoint; a checkpoint of no use is thrown away.
     (folder / '0.checkpoint').write_bytes(b'rubbish')
@@ -117,12 +111,12 @@ def main():
         run('sh', '-c', task)
     run('sh', folder / 'merge.sh')
     same('rows4.png')
-    check(not list(folder.glob('*.checkpoint')), 'no checkpoint is left')
+    demand(not list(folder.glob('*.checkpoint')), 'no checkpoint is left')
 
     # Other options: the parts are of no use.
     other = [word if word != '7' else '8' for word in arguments]
     found = farm(*map(str, other), '--print=tasks')
-    check('4 parts were of other scenes or options' in found.stderr and len(found.stdout.splitlines()) == 4, found.stderr)
+    demand('4 parts were of other scenes or options' in found.stderr and len(found.stdout.splitlines()) == 4, found.stderr)
 
     # Several scenes
     found = farm(scene, scenes / 'facets.txt', '--width', '60', '-o', '{}.ppm', '--print=tasks')
@@ -133,9 +127,9 @@ def main():
         run(programs / 'lavaray', scenes / f'{name}.txt', '--width', '60', '-o', 'one.ppm', '-q')
         run(programs / 'lavaray-diff', f'{name}.ppm', 'one.ppm')
 
-    check('must have {}' in farm(scene, scene, '-o', 'x.png', code=2).stderr, 'several scenes, one picture')
-    check('at most' in farm(scene, '--height', '5', '--parts', '9', '-o', 'x.png', code=2).stderr, 'too many parts')
-    check('--crop' in farm(scene, '--crop', '0,0,9,9', '-o', 'x.png', code=2).stderr, 'an option of the farm')
+    demand('must have {}' in farm(scene, scene, '-o', 'x.png', code=2).stderr, 'several scenes, one picture')
+    demand('at most' in farm(scene, '--height', '5', '--parts', '9', '-o', 'x.png', code=2).stderr, 'too many parts')
+    demand('--crop' in farm(scene, '--crop', '0,0,9,9', '-o', 'x.png', code=2).stderr, 'an option of the farm')
 
     if shutil.which('openjd') and subprocess.run(['openjd', '--version'], capture_output=True).returncode == 0:
         arguments = [scene, *options, '--parts', 3, '-o', 'openjd.png']
@@ -145,7 +139,7 @@ def main():
         print('with openjd-cli')
     else:
         print('without openjd-cli, which is not installed')
-    print(f'{checks} checks')
+    finish()
 
 
 main()

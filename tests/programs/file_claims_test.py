@@ -15,17 +15,13 @@ import subprocess
 import sys
 import time
 
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import demand, finish, make_anew
+
 SECONDS = 60  # that anything may take on a busy machine
 
 programs, scenes, shaders, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-checks = 0
-
-
-def check(condition, what):
-    global checks
-    checks += 1
-    if not condition:
-        sys.exit(f'FAILED: {what}')
 
 
 def run(*command, **options):
@@ -55,10 +51,10 @@ def refused(what, read, command, option):
     for name in other_names(read):
         before = contents()
         found = run(*command, option, name)
-        check(found.returncode == 2, f'{what} as {name}: exit code {found.returncode}, {found.stderr}')
-        check(re.search(rf'{re.escape(str(name))} would replace .*{re.escape(read)}', found.stderr),
+        demand(found.returncode == 2, f'{what} as {name}: exit code {found.returncode}, {found.stderr}')
+        demand(re.search(rf'{re.escape(str(name))} would replace .*{re.escape(read)}', found.stderr),
               f'{what}: both names are told: {found.stderr}')
-        check(contents() == before, f'{what}: nothing has changed')
+        demand(contents() == before, f'{what}: nothing has changed')
 
 
 def try_all():
@@ -71,10 +67,10 @@ def try_all():
         (work / name).write_text(mesh_scene)
     small = ['--width', '16']
     for name in ('kept.film', 'part.png', 'part.bmp', 'part.pfm', 'part.ppm'):
-        check(run(lavaray, 'scene.ppm', *small, '-o', name).returncode == 0, f'{name} is made')
+        demand(run(lavaray, 'scene.ppm', *small, '-o', name).returncode == 0, f'{name} is made')
     render = [lavaray, 'scene.ppm', *small]
     with_shaders = [*render, '--shaders', 'shaders', '-o', 'free.png']
-    check(run(*with_shaders).returncode == 0, 'other names are free')
+    demand(run(*with_shaders).returncode == 0, 'other names are free')
 
     refused('the scene', 'scene.ppm', render, '--output')
     refused('the mesh', 'mesh.ppm', render, '-o')
@@ -91,7 +87,7 @@ def try_all():
     refused('the film', 'kept.film', [*resume, '-o', 'free.png'], '--json')
     refused('the scene while resuming', 'scene.ppm', [*resume, '-o', 'free.png'], '--checkpoint')
     found = run(*resume, '-o', 'free.png', '--checkpoint', './kept.film')
-    check(found.returncode == 0, f'a checkpoint is resumed into itself: {found.stderr}')
+    demand(found.returncode == 0, f'a checkpoint is resumed into itself: {found.stderr}')
     for name in ('part.png', 'part.bmp', 'part.ppm', 'part.pfm'):
         refused('an image', name, [diff, name, 'part.png'], '-o')
         refused('a reference', name, [diff, 'part.png', name], '-o')
@@ -103,8 +99,8 @@ def try_all():
     before = contents()
     for command in ([lavaray, 'default.bmp'], ['sh', '-c', f'{lavaray} scene.ppm --width 16 -o - >>scene.ppm']):
         found = run(*command)
-        check(found.returncode == 2 and 'which is read' in found.stderr, f'{command}: {found}')
-        check(contents() == before, f'{command}: nothing has changed')
+        demand(found.returncode == 2 and 'which is read' in found.stderr, f'{command}: {found}')
+        demand(contents() == before, f'{command}: nothing has changed')
 
 
 def try_two_outputs():
@@ -117,27 +113,27 @@ def try_two_outputs():
                                   ('new.ppm', '--checkpoint', './new.ppm'), ('there.ppm', '--json', 'way/there.ppm'),
                                   ('new.film', '--checkpoint', 'new.film')):
         found = run(lavaray, 'scene.ppm', '-o', first, option, second)
-        check(found.returncode == 2 and f'--output {first} and {option} {second} are the same file' in found.stderr,
+        demand(found.returncode == 2 and f'--output {first} and {option} {second} are the same file' in found.stderr,
               f'{first} and {second}: {found}')
-        check(contents() == before, f'{first} and {second}: nothing has changed')
+        demand(contents() == before, f'{first} and {second}: nothing has changed')
     for option in ('--json', '--checkpoint'):
         with open(work / 'stream', 'wb') as stream:
             found = subprocess.run([lavaray, 'scene.ppm', '-o', '-', option, 'stream'], cwd=work, stdout=stream,
                                    stderr=subprocess.PIPE, text=True, check=False)
-        check(found.returncode == 2 and f'--output - and {option} stream are the same file' in found.stderr,
+        demand(found.returncode == 2 and f'--output - and {option} stream are the same file' in found.stderr,
               f'stdout: {found}')
         (work / 'stream').unlink()
     for options in (['-o', ''], ['--json', ''], ['--checkpoint', ''], ['--resume', ''], ['--shaders', ''],
                     ['--json', '-'], ['--checkpoint', '-']):
         found = run(lavaray, 'scene.ppm', *options)
-        check(found.returncode == 2 and options[0].strip('-') in found.stderr, f'{options}: {found}')
-    check(contents() == before, 'no file of a name that is none')
+        demand(found.returncode == 2 and options[0].strip('-') in found.stderr, f'{options}: {found}')
+    demand(contents() == before, 'no file of a name that is none')
     (work / 'soon.ppm').symlink_to('later/soon.ppm')
     found = run(lavaray, 'scene.ppm', '--width', '16', '-o', 'soon.ppm')
-    check(found.returncode == 5 and 'soon.ppm: cannot be written: No such file' in found.stderr, f'{found}')
+    demand(found.returncode == 5 and 'soon.ppm: cannot be written: No such file' in found.stderr, f'{found}')
     (work / 'later').mkdir()
-    check(run(lavaray, 'scene.ppm', '--width', '16', '-o', 'soon.ppm').returncode == 0, 'a link to what is not there')
-    check((work / 'soon.ppm').is_symlink() and (work / 'later' / 'soon.ppm').stat().st_size > 100, 'the link stays')
+    demand(run(lavaray, 'scene.ppm', '--width', '16', '-o', 'soon.ppm').returncode == 0, 'a link to what is not there')
+    demand((work / 'soon.ppm').is_symlink() and (work / 'later' / 'soon.ppm').stat().st_size > 100, 'the link stays')
 
 
 def try_watching():
@@ -163,21 +159,20 @@ def try_watching():
     before = (work / 'watched.ppm').read_bytes()
     scene.write_text(text.replace('torus.obj', 'watched.ppm'))
     wait_for('--output watched.ppm would replace the mesh watched.ppm')
-    check((work / 'watched.ppm').read_bytes() == before, 'the mesh stays')
+    demand((work / 'watched.ppm').read_bytes() == before, 'the mesh stays')
     scene.write_text(text + '\n')
     wait_for('wrote watched.ppm', 2)
-    check((work / 'watched.ppm').read_bytes()[:2] == b'P6', 'another mesh, and the picture is written again')
+    demand((work / 'watched.ppm').read_bytes()[:2] == b'P6', 'another mesh, and the picture is written again')
     watching.send_signal(signal.SIGINT)
-    check(watching.wait(SECONDS) == 0, 'the watching ends as ever')
+    demand(watching.wait(SECONDS) == 0, 'the watching ends as ever')
 
 
 def main():
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     try_all()
     try_two_outputs()
     try_watching()
-    print(f'{checks} checks')
+    finish()
 
 
 main()

@@ -17,20 +17,16 @@ import subprocess
 import sys
 import time
 
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import demand, finish, make_anew
+
 programs, scenes, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 lavaray, diff, merge = (str(programs / name) for name in ('lavaray', 'lavaray-diff', 'lavaray-merge'))
 scene = str(scenes / 'extensions.txt')
 NO_SPACE = 'No space left on device'
 LONG = ['--spp', '100000', '--width', '1000']
-checks = 0
 skipped = []
-
-
-def check(condition, what):
-    global checks
-    checks += 1
-    if not condition:
-        sys.exit(f'FAILED: {what}')
 
 
 def run(*command, **options):
@@ -60,10 +56,10 @@ def try_all(what, folder, reason, codes=(5,), prefix=()):
     for name, command in outputs(folder):
         before = contents(folder)
         found = run(*prefix, *command)
-        check(found.returncode in codes, f'{what}, {name}: exit code {found.returncode}, {found.stderr}')
+        demand(found.returncode in codes, f'{what}, {name}: exit code {found.returncode}, {found.stderr}')
         if found.returncode == 5:
-            check(re.search(rf'{re.escape(name)}.*: .*{reason}', found.stderr), f'{what}, {name}: {found.stderr}')
-        check(contents(folder) == before, f'{what}, {name}: the folder holds {sorted(contents(folder))}')
+            demand(re.search(rf'{re.escape(name)}.*: .*{reason}', found.stderr), f'{what}, {name}: {found.stderr}')
+        demand(contents(folder) == before, f'{what}, {name}: the folder holds {sorted(contents(folder))}')
 
 
 def make_old_files(folder):
@@ -112,11 +108,11 @@ def try_full_disks():
 def try_checkpoints(full):
     """On a full disk, the picture on another: the picture is written."""
     whole = run(lavaray, scene, '--width', '100', '--spp', '64', '-o', work / 'whole.ppm')
-    check(whole.returncode == 0, whole.stderr)
+    demand(whole.returncode == 0, whole.stderr)
     found = run(lavaray, scene, '--width', '100', '--spp', '64', '-o', work / 'half.ppm', '--checkpoint',
                 full / 'other.film', '--checkpoint-every', '0')
-    check(found.returncode == 5 and found.stderr.count(NO_SPACE) == 1, f'one warning, and 5: {found}')
-    check((work / 'half.ppm').read_bytes() == (work / 'whole.ppm').read_bytes(), 'the picture is whole')
+    demand(found.returncode == 5 and found.stderr.count(NO_SPACE) == 1, f'one warning, and 5: {found}')
+    demand((work / 'half.ppm').read_bytes() == (work / 'whole.ppm').read_bytes(), 'the picture is whole')
 
 
 def try_stdout():
@@ -125,7 +121,7 @@ def try_stdout():
                         [diff, 'a.png', 'a.png'], [diff, 'a.png', 'b.png'], [diff, '--info', 'a.png'],
                         [merge, '--check', 'a.film'], [lavaray, scene, '--width', '200', '-o', '-']):
             found = run(*command, stdout=full)
-            check(found.returncode == 5 and NO_SPACE in found.stderr and 'stdout' in found.stderr, f'{command}: {found}')
+            demand(found.returncode == 5 and NO_SPACE in found.stderr and 'stdout' in found.stderr, f'{command}: {found}')
 
 
 def try_limit():
@@ -139,17 +135,17 @@ def try_limit():
             continue
         before = contents(folder)
         found = run(*shell, *command)
-        check(found.returncode == 5 and 'File too large' in found.stderr and name in found.stderr, f'{name}: {found}')
-        check(contents(folder) == before, f'a limit, {name}: {sorted(contents(folder))}')
+        demand(found.returncode == 5 and 'File too large' in found.stderr and name in found.stderr, f'{name}: {found}')
+        demand(contents(folder) == before, f'a limit, {name}: {sorted(contents(folder))}')
 
 
 def refused_at_once(what, output, reason, *prefix):
     begin = time.monotonic()
     before = output.read_bytes()
     found = run(*prefix, lavaray, scene, *LONG, '-o', output)
-    check(found.returncode == 5 and re.search(reason, found.stderr) and output.name in found.stderr, f'{what}: {found}')
-    check(output.read_bytes() == before, f'{what}: it stays')
-    check([file.name for file in output.parent.iterdir()] == [output.name], f'{what}: nothing is left')
+    demand(found.returncode == 5 and re.search(reason, found.stderr) and output.name in found.stderr, f'{what}: {found}')
+    demand(output.read_bytes() == before, f'{what}: it stays')
+    demand([file.name for file in output.parent.iterdir()] == [output.name], f'{what}: nothing is left')
     print(f'figure: {what}: known after {time.monotonic() - begin:.1f} s')
 
 
@@ -189,7 +185,7 @@ def try_long_names():
     longest = 'x' * 251 + '.ppm'
     for name, code in ((longest, 0), ('x' + longest, 5)):
         found = run(lavaray, scene, '--width', '40', '-o', name)
-        check(found.returncode == code and (code == 0 or 'File name too long' in found.stderr), f'{len(name)}: {found}')
+        demand(found.returncode == code and (code == 0 or 'File name too long' in found.stderr), f'{len(name)}: {found}')
     output = work / 'last' / longest
     (work / 'last').mkdir()
     finish_at_folder(output)
@@ -213,21 +209,21 @@ def finish_at_folder(output):
     if render.returncode == 143 and 'before anything' in said:
         skipped.append('the last step, on a machine that is too busy')
         return
-    check(render.returncode == 5 and found, f'the last step: {render.returncode}, {said}')
-    check(run(diff, '--info', found.group(1)).returncode == 0, 'what stays is a picture')
-    check(found.group(1).endswith('.ppm') and len(list(output.parent.iterdir())) == 2, 'and nothing else')
+    demand(render.returncode == 5 and found, f'the last step: {render.returncode}, {said}')
+    demand(run(diff, '--info', found.group(1)).returncode == 0, 'what stays is a picture')
+    demand(found.group(1).endswith('.ppm') and len(list(output.parent.iterdir())) == 2, 'and nothing else')
 
 
 def try_sizes():
     found = run(lavaray, scene, '--width', '40000', '--height', '40000', '-o', 'huge.bmp')
-    check(found.returncode == 5 and '4294967295' in found.stderr, f"BMP's bound: {found}")
+    demand(found.returncode == 5 and '4294967295' in found.stderr, f"BMP's bound: {found}")
     limit = ['bash', '-c', 'ulimit -v 1500000; "$@"', 'bash']
     if run(*limit, lavaray, '--version').returncode != 0:
         skipped.append('too little memory (a sanitizer takes more than any limit leaves)')
         return
     for options, more in ((['--spp', '2'], 'one sample'), (['--target-error', '0.01'], 'one sample')):
         found = run(*limit, lavaray, scene, '--width', '20000', *options, '-o', 'huge.ppm')
-        check(found.returncode == 6 and re.search(r'needs \d+\.\d GB, and .*ulimit -v\) leaves', found.stderr) and
+        demand(found.returncode == 6 and re.search(r'needs \d+\.\d GB, and .*ulimit -v\) leaves', found.stderr) and
               more in found.stderr, f'{options}: {found}')
     group = pathlib.Path('/sys/fs/cgroup/memory/lavaray-test')
     try:
@@ -239,17 +235,16 @@ def try_sizes():
     try:
         found = run('sh', '-c', f'echo $$ >{group}/cgroup.procs; exec "$@"', 'sh', lavaray, scene, '--width', '20000',
                     '--spp', '2', '-o', 'huge.ppm')
-        check(found.returncode == 6 and 'control group' in found.stderr, f'a control group: {found}')
+        demand(found.returncode == 6 and 'control group' in found.stderr, f'a control group: {found}')
     finally:
         group.rmdir()
-    check(not (work / 'huge.ppm').exists(), 'nothing is written')
+    demand(not (work / 'huge.ppm').exists(), 'nothing is written')
 
 
 def main():
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     for name, options in (('a.png', []), ('b.png', ['--seed', '1', '--spp', '4']), ('a.film', [])):
-        check(run(lavaray, scene, '--width', '200', *options, '-o', name).returncode == 0, f'{name} is made')
+        demand(run(lavaray, scene, '--width', '200', *options, '-o', name).returncode == 0, f'{name} is made')
     try_stdout()
     try_limit()
     try_names()
@@ -259,7 +254,7 @@ def main():
     try_full_disks()
     for what in skipped:
         print(f'skipped: {what}')
-    print(f'{checks} checks')
+    finish()
 
 
 main()

@@ -7,38 +7,13 @@ same values. SCRATCH is made anew.
 """
 import pathlib
 import re
-import shutil
-import struct
-import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import image_cases
-
-
-def read(program, files):
-    """For each file the message of a refusal, or format, maxima and pixels."""
-    output = subprocess.run([program, *files], check=True, capture_output=True).stdout
-    results = []
-    for _ in files:
-        line, output = output.split(b"\n", 1)
-        words = line.decode().split(" ")
-        if words[0] == "refused":
-            results.append(line.decode().split(" ", 1)[1])
-            continue
-        width, height, channels = int(words[0]), int(words[1]), int(words[7])
-        count = width * height
-        values = struct.unpack(f"={channels * count}f", output[:4 * channels * count])
-        output = output[4 * channels * count:]
-        pixels = [list(values[3 * i:3 * i + 3]) + ([values[3 * count + i]] if channels == 4 else []) for i in range(count)]
-        results.append((width, height, words[2], [int(word) for word in words[3:7]], pixels))
-    assert not output
-    return results
-
-
-def bits(values):
-    return [struct.pack("f", value) for pixel in values for value in pixel]
+from checks import make_anew
+from image_values import bits, read
 
 
 def fault(case, result):
@@ -82,8 +57,7 @@ def check_cut_off(program, scratch, case, whole):
 
 def main():
     program, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
-    shutil.rmtree(scratch, ignore_errors=True)
-    scratch.mkdir(parents=True)
+    make_anew(scratch)
     faults = 0
     cases = list(image_cases.cases())
     assert len({case.name for case in cases}) == len(cases)

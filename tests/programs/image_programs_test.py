@@ -14,9 +14,9 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import image_cases
-from image_files_test import read
+from image_values import read
 
 try:
     import PIL.Image

@@ -16,6 +16,10 @@ import subprocess
 import sys
 import time
 
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import fail, make_anew
+
 COUNT = 50
 CODES = {signal.SIGHUP: 129, signal.SIGINT: 130, signal.SIGTERM: 143}
 DEADLY = [signal.SIGQUIT, signal.SIGABRT, signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGXCPU, signal.SIGALRM,
@@ -43,7 +47,7 @@ def wait_until_rendering(render):
         if (int(stat[11]) + int(stat[12])) / ticks > 0.8:
             return
         time.sleep(0.02)
-    sys.exit('FAILED: it uses no time')
+    fail('it uses no time')
 
 
 def try_signals_twice(programs, scenes, work):
@@ -57,14 +61,14 @@ def try_signals_twice(programs, scenes, work):
             render.send_signal(number)
         said = render.communicate(timeout=60)[1]
         if render.returncode != code or 'interrupted at' not in said or left(work) != [output.name]:
-            sys.exit(f'FAILED: {number} twice: exit code {render.returncode}, {left(work)}, {said}')
+            fail(f'{number} twice: exit code {render.returncode}, {left(work)}, {said}')
         output.unlink()
     render = start(programs, scenes, work / 'nohup.png', '--time-limit', '1',
                    preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
     time.sleep(0.3)
     render.send_signal(signal.SIGHUP)
     if render.wait(60) != 0:
-        sys.exit(f'FAILED: a hang-up under nohup: {render.returncode}')
+        fail(f'a hang-up under nohup: {render.returncode}')
     (work / 'nohup.png').unlink()
 
 
@@ -75,10 +79,10 @@ def try_deadly_signals(programs, scenes, library, work):
             render = start(programs, scenes, work / 'dead.png', env=environment)
             wait_until_rendering(render)
             if environment is named and len(left(work)) != 1:
-                sys.exit(f'FAILED: there is to be a temporary file: {left(work)}')
+                fail(f'there is to be a temporary file: {left(work)}')
             render.send_signal(number)
             if render.wait(60) != -number or left(work):
-                sys.exit(f'FAILED: {number}: exit code {render.returncode}, {left(work)}')
+                fail(f'{number}: exit code {render.returncode}, {left(work)}')
     # What is left by the one signal that no process hears of is taken away by the next run, but for what is in use.
     dead, alive = (start(programs, scenes, work / 'same.png', env=named) for _ in range(2))
     for render in (dead, alive):
@@ -89,22 +93,21 @@ def try_deadly_signals(programs, scenes, library, work):
     dead.wait()
     both = left(work)
     if len(both) != 3:
-        sys.exit(f'FAILED: there are to be three files: {both}')
+        fail(f'there are to be three files: {both}')
     subprocess.run([programs / 'lavaray', scenes / 'facets.txt', '--width', '40', '-o', work / 'same.png'], check=True)
     after = left(work)
     if len(after) != 3 or other.name not in after or 'same.png' not in after:
-        sys.exit(f'FAILED: of {both} there is {after}')
+        fail(f'of {both} there is {after}')
     alive.terminate()
     if alive.wait(60) != 143 or left(work) != [other.name, 'same.png']:
-        sys.exit(f'FAILED: the file in use was not left alone: {alive.returncode}, {left(work)}')
+        fail(f'the file in use was not left alone: {alive.returncode}, {left(work)}')
     shutil.rmtree(work)
     work.mkdir()
 
 
 def main():
     programs, scenes, library, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     try_signals_twice(programs, scenes, work)
     try_deadly_signals(programs, scenes, library, work)
     try_random_moments(programs, scenes, work)
@@ -131,18 +134,18 @@ def try_random_moments(programs, scenes, work):
             # It reads and checks the whole file.
             info = subprocess.run([programs / 'lavaray-diff', '--info', picture], capture_output=True, text=True)
             if info.returncode != 0 or '300 x 200' not in info.stdout:
-                sys.exit(f'FAILED: after signal {i} the picture cannot be read: {info.stdout}{info.stderr}')
+                fail(f'after signal {i} the picture cannot be read: {info.stdout}{info.stderr}')
             if code in CODES.values() and 'Stopped' not in info.stdout:
-                sys.exit(f'FAILED: an interrupted picture does not say so:\n{info.stdout}')
+                fail(f'an interrupted picture does not say so:\n{info.stdout}')
         if left(work) != [picture.name]:
-            sys.exit(f'FAILED: {left(work)} left behind after signal {i}')
+            fail(f'{left(work)} left behind after signal {i}')
     # Before the program has its handlers, a signal ends it as any other.
     if not set(codes) <= {0, *CODES.values(), *(-number for number in CODES)}:
-        sys.exit(f'FAILED: exit codes {codes}')
+        fail(f'exit codes {codes}')
     print(f'figure: {COUNT} signals at random moments: {written} complete pictures, {COUNT - written} times the old '
           f'one, at most {slowest:.2f} s to the end')
     if slowest > 10:  # The promise is one second, on a machine that has nothing else to do.
-        sys.exit('FAILED: that is too slow')
+        fail('that is too slow')
 
 
 main()

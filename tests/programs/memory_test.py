@@ -7,9 +7,12 @@ several samples a pixel need their sums, 32 bytes each, and no copy of the pictu
 
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import fail, make_anew
 
 SMALL, LARGE = 1000, 3000  # pixels a side
 # Beside the pixels the driver's buffers may grow, up to the largest piece of work, and the table of tiles.
@@ -21,14 +24,13 @@ def peak(command):
         child = subprocess.Popen(command, stdout=stdout)
         _, status, usage = os.wait4(child.pid, 0)
     if status != 0:
-        sys.exit(f'FAILED: {command} ended with status {status}')
+        fail(f'{command} ended with status {status}')
     return 1024 * usage.ru_maxrss
 
 
 def main():
     programs, scenes, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     os.chdir(work)
     failed = False
     formats = ['a.bmp', 'a.png', 'a.ppm', 'a.pfm', '-']

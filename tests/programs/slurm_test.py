@@ -16,6 +16,10 @@ import subprocess
 import sys
 import time
 
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import fail, make_anew, skip, until
+
 PARTS = 16
 SECONDS = 300
 
@@ -46,30 +50,11 @@ PartitionName=all Nodes=node1,node2 Default=YES State=UP
 """
 
 
-def skip(why):
-    print(f'skipped: {why}')
-    sys.exit(77)
-
-
-def fail(why):
-    sys.exit(f'FAILED: {why}')
-
-
 def run(*command, code=0, **options):
     found = subprocess.run([*map(str, command)], capture_output=True, text=True, **options)
     if found.returncode != code:
         fail(f'{command} ended with {found.returncode}: {found.stdout}{found.stderr}')
     return found.stdout + found.stderr
-
-
-def until(condition, what):
-    end = time.monotonic() + SECONDS
-    while time.monotonic() < end:
-        result = condition()
-        if result:
-            return result
-        time.sleep(0.2)
-    return fail(f'{what} did not happen within {SECONDS} s')
 
 
 def free_ports(count):
@@ -113,7 +98,7 @@ class Cluster:
         run('slurmctld')
         for node in ('node1', 'node2'):
             run('slurmd', '-N', node)
-        until(lambda: run('sinfo', '-h', '-t', 'idle', '-o', '%D').startswith('2'), 'two idle nodes')
+        until(lambda: run('sinfo', '-h', '-t', 'idle', '-o', '%D').startswith('2'), 'two idle nodes', SECONDS)
         return self
 
     def __exit__(self, *_):
@@ -145,8 +130,7 @@ def main():
     for program in ('munged', 'mungekey', 'slurmctld', 'slurmd', 'sbatch'):
         if not shutil.which(program):
             skip(f'{program} is not installed')
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     scene = scenes / 'extensions.txt'
     options = ['--width', '500', '--spp', '256']
     farm = [tools / 'farm', '--programs', programs, scene, *options, '--parts', PARTS, '-o', 'picture.png']
@@ -158,12 +142,12 @@ def main():
     with Cluster(work) as cluster:
         start = time.monotonic()
         print(run(*farm, cwd=work).strip())
-        until(lambda: len(list(films.glob('*.film'))) >= PARTS // 3, 'a third of the parts')
+        until(lambda: len(list(films.glob('*.film'))) >= PARTS // 3, 'a third of the parts', SECONDS)
         cluster.kill('node1')
         print(f'{time.monotonic() - start:.1f} s: killed node1 and all on it')
-        until(lambda: 'down' in run('sinfo', '-h', '-n', 'node1', '-o', '%T'), 'the loss of node1')
+        until(lambda: 'down' in run('sinfo', '-h', '-n', 'node1', '-o', '%T'), 'the loss of node1', SECONDS)
         print(f'{time.monotonic() - start:.1f} s: Slurm has noticed: {run("sinfo", "-h", "-N", "-o", "%N %T").split()}')
-        until(lambda: (work / 'picture.png').exists() and not run('squeue', '-h'), 'the picture')
+        until(lambda: (work / 'picture.png').exists() and not run('squeue', '-h'), 'the picture', SECONDS)
         print(f'{time.monotonic() - start:.1f} s: the picture is there')
         log = (work / 'slurmctld.log').read_text()
         requeued = [line for line in log.splitlines() if 'requeue' in line.lower()]
@@ -187,7 +171,7 @@ def main():
         print(again.strip())
         if f'{PARTS - 2} of {PARTS} tasks are done already' not in again:
             fail('more than the damaged parts are rendered again')
-        until(lambda: (work / 'picture.png').exists() and not run('squeue', '-h'), 'the picture again')
+        until(lambda: (work / 'picture.png').exists() and not run('squeue', '-h'), 'the picture again', SECONDS)
         run(programs / 'lavaray-diff', 'picture.png', 'whole.png', cwd=work)
     print(f'figure: {PARTS} parts on two nodes, one of them killed: the same bits; 2 damaged parts refused and '
           'rendered again: the same bits')

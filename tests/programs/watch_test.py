@@ -17,6 +17,10 @@ import subprocess
 import sys
 import time
 
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import demand, fail, finish, make_anew
+
 SECONDS = 60  # that anything may take on a busy machine
 
 
@@ -38,14 +42,14 @@ class Watched:
         end = time.monotonic() + SECONDS
         while time.monotonic() < end:
             if self.process.poll() is not None:
-                sys.exit(f'FAILED: it ended with {self.process.returncode} after\n{self.log.read_text()}')
+                fail(f'it ended with {self.process.returncode} after\n{self.log.read_text()}')
             text = self.said()
             found = re.search(pattern + r'.*\n', text)
             if found:
                 self.position += found.end()
                 return text[:found.end()]
             time.sleep(0.01)
-        sys.exit(f'FAILED: nothing like {pattern!r} in\n{self.said()}')
+        fail(f'nothing like {pattern!r} in\n{self.said()}')
 
     def memory(self):
         return status_number(self.process.pid, 'VmRSS') / 1024
@@ -53,7 +57,7 @@ class Watched:
     def compiler(self):
         """The process that compiles shaders."""
         found = [process for process in processes() if status_number(process, 'PPid') == self.process.pid]
-        check(len(found) == 1, f'one process for compiling: {found}')
+        demand(len(found) == 1, f'one process for compiling: {found}')
         return found[0]
 
     def stop(self):
@@ -62,7 +66,7 @@ class Watched:
         for process in (compiler, self.process.pid):
             os.kill(process, signal.SIGINT)
         code = self.process.wait(SECONDS)
-        check(compiler not in processes(), 'no process is left')
+        demand(compiler not in processes(), 'no process is left')
         return code
 
 
@@ -80,16 +84,6 @@ def status_number(process, entry):
     return int(found.group(1)) if found else 0
 
 
-checks = 0
-
-
-def check(condition, what):
-    global checks
-    checks += 1
-    if not condition:
-        sys.exit(f'FAILED: {what}')
-
-
 def edit_in_place(file, text):
     file.write_text(text)
 
@@ -105,8 +99,7 @@ EDITS = [edit_in_place, edit_by_rename]
 
 def main():
     programs, scenes, shaders, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     for name in ('torus.txt', 'torus.obj'):
         shutil.copy(scenes / name, work)
     shutil.copytree(shaders, work / 'shaders')
@@ -122,16 +115,16 @@ def main():
 
     # The worked example of the README: another background.
     blue = shader_text.replace('vec3 color = path.color;', 'vec3 color = path.color + vec3(0.0, 0.0, 0.25);')
-    check(blue != shader_text, 'render.comp has the line that the README edits')
+    demand(blue != shader_text, 'render.comp has the line that the README edits')
     for edit in EDITS:
         edit(shader, blue)
         said = lavaray.wait_for('wrote torus.ppm')
-        check('changed: shaders/render.comp' in said, f'the changed file is named: {said}')
-        check('read scene' not in said, f'a shader edit reads no scene: {said}')
-        check(picture.read_bytes().split(b'\n', 3)[3][:3] == bytes([0, 0, 63]), 'the sky is blue')
+        demand('changed: shaders/render.comp' in said, f'the changed file is named: {said}')
+        demand('read scene' not in said, f'a shader edit reads no scene: {said}')
+        demand(picture.read_bytes().split(b'\n', 3)[3][:3] == bytes([0, 0, 63]), 'the sky is blue')
         edit(shader, shader_text)
         lavaray.wait_for('wrote torus.ppm')
-        check(picture.read_bytes() == original, 'the shader is as before, and so is the picture')
+        demand(picture.read_bytes() == original, 'the shader is as before, and so is the picture')
 
         # An include that does not compile: the picture stays, and the include is named, once.
         include = work / 'shaders' / 'shade.glsl'
@@ -141,45 +134,45 @@ def main():
         said = lavaray.wait_for(rf'shaders/shade.glsl:{line}: ')
         time.sleep(0.3)
         said += lavaray.said()
-        check(said.count('shade.glsl:') == 1, f'it is said once: {said}')
-        check(picture.read_bytes() == original, 'a broken shader leaves the picture alone')
+        demand(said.count('shade.glsl:') == 1, f'it is said once: {said}')
+        demand(picture.read_bytes() == original, 'a broken shader leaves the picture alone')
         edit(include, include_text)
         lavaray.wait_for('wrote torus.ppm')
 
         # A scene that is wrong, then one with another light: nothing but that is made anew.
         edit(scene, scene_text.replace('fov:', 'fow:'))
         lavaray.wait_for(r'torus.txt:\d+: ')
-        check(picture.read_bytes() == original, 'a broken scene leaves the picture alone')
+        demand(picture.read_bytes() == original, 'a broken scene leaves the picture alone')
         edit(scene, re.sub(r'dif:.*', 'dif: 0.1 0.9 0.1', scene_text))
         said = lavaray.wait_for('wrote torus.ppm')
-        check('compile shaders' not in said, f'a scene edit compiles no shader: {said}')
-        check(picture.read_bytes() != original, 'another light, another picture')
+        demand('compile shaders' not in said, f'a scene edit compiles no shader: {said}')
+        demand(picture.read_bytes() != original, 'another light, another picture')
         edit(scene, scene_text)
         lavaray.wait_for('wrote torus.ppm')
-        check(picture.read_bytes() == original, 'the scene is as before, and so is the picture')
+        demand(picture.read_bytes() == original, 'the scene is as before, and so is the picture')
 
         edit(mesh, mesh_text.replace('f ', 'f 0/', 1))
         lavaray.wait_for(r'torus.obj:\d+: ')
         edit(mesh, re.sub(r'^v (\S+)', lambda found: f'v {float(found.group(1)) / 2}', mesh_text, flags=re.M))
         said = lavaray.wait_for('wrote torus.ppm')
-        check('changed: torus.obj' in said, f'the changed mesh is named: {said}')
-        check(picture.read_bytes() != original, 'another mesh, another picture')
+        demand('changed: torus.obj' in said, f'the changed mesh is named: {said}')
+        demand(picture.read_bytes() != original, 'another mesh, another picture')
         edit(mesh, mesh_text)
         lavaray.wait_for('wrote torus.ppm')
-        check(picture.read_bytes() == original, 'the mesh is as before, and so is the picture')
+        demand(picture.read_bytes() == original, 'the mesh is as before, and so is the picture')
 
     # A scene of few primitives has a shader of its own, compiled when the scene becomes one.
     few = re.sub(r'mesh\nfile: .*', 'sphere\npos: 0 0 -5\nrad: 1', scene_text)
-    check(few != scene_text, 'the scene has a mesh to replace')
+    demand(few != scene_text, 'the scene has a mesh to replace')
     edit_in_place(scene, few)
     said = lavaray.wait_for('wrote torus.ppm')
-    check('compile shaders' in said, f'another kind of scene, another shader: {said}')
+    demand('compile shaders' in said, f'another kind of scene, another shader: {said}')
     fresh = subprocess.run([programs / 'lavaray', 'torus.txt', '-o', '-', '--width', '120', '-q'], cwd=work,
                            stdout=subprocess.PIPE, check=True)
-    check(picture.read_bytes() == fresh.stdout, 'the picture is that of the built-in shader')
+    demand(picture.read_bytes() == fresh.stdout, 'the picture is that of the built-in shader')
     edit_in_place(scene, scene_text)
     lavaray.wait_for('wrote torus.ppm')
-    check(picture.read_bytes() == original, 'the mesh is back, and so is the picture')
+    demand(picture.read_bytes() == original, 'the mesh is back, and so is the picture')
 
     # A good edit, and before its picture is done a broken one: the good one still gets its picture.
     slow = Watched(programs / 'lavaray', ['torus.txt', '-o', 'slow.ppm', '--width', '120', '--spp', '1500', '--shaders',
@@ -192,9 +185,9 @@ def main():
     edit_in_place(work / 'slow' / 'shaders' / 'render.comp', shader_text + 'broken(')
     slow.wait_for('shaders/render.comp:')
     slow.wait_for('wrote slow.ppm')
-    check((work / 'slow' / 'slow.ppm').read_bytes() != before, 'the good edit is in the picture')
+    demand((work / 'slow' / 'slow.ppm').read_bytes() != before, 'the good edit is in the picture')
     code = slow.stop()
-    check(code == 0, f'Ctrl-C ends it cleanly, not with {code}')
+    demand(code == 0, f'Ctrl-C ends it cleanly, not with {code}')
 
     # An interface that is not the program's is refused.
     interface = work / 'shaders' / 'interface.h'
@@ -214,11 +207,11 @@ def main():
         line = 'vec3 color = path.color;'
         edit_in_place(shader, shader_text.replace(line, line + ' color.x += sin(color.y * 1.5 + 2.0);' * 30000))
         lavaray.wait_for(r'lavaray: shaders/render.comp: the shader compiler ended in the middle of it \(')
-        check(picture.read_bytes() == original, 'a compiler that ends leaves the picture alone')
+        demand(picture.read_bytes() == original, 'a compiler that ends leaves the picture alone')
         resource.prlimit(compiler, resource.RLIMIT_AS, before)
         edit_in_place(shader, shader_text + '\n')
         lavaray.wait_for('wrote torus.ppm')
-        check(picture.read_bytes() == original, 'the next edit is compiled as ever')
+        demand(picture.read_bytes() == original, 'the next edit is compiled as ever')
         edit_in_place(shader, shader_text)
         lavaray.wait_for('wrote torus.ppm')
 
@@ -241,7 +234,7 @@ def main():
         end = time.monotonic() + SECONDS
         while picture.read_bytes() != original and time.monotonic() < end:
             time.sleep(0.05)
-        check(picture.read_bytes() == original, f'after edit {i} of {file.name} the picture is the good one')
+        demand(picture.read_bytes() == original, f'after edit {i} of {file.name} the picture is the good one')
         time.sleep(0.3)
         lavaray.position += len(lavaray.said())
         # The first pipelines that differ from the program's make the driver take some 20 MiB, once.
@@ -249,13 +242,13 @@ def main():
             begin = lavaray.memory()
     growth = lavaray.memory() - begin
     print(f'figure: {count} random edits: alive, memory grew by {growth:.1f} MiB in the second half')
-    check(growth < 8, f'memory grew by {growth} MiB')
+    demand(growth < 8, f'memory grew by {growth} MiB')
     # One more, after whose picture there is nothing left to draw, so that Ctrl-C ends no render.
     edit_in_place(scene, scene_text + '\n')
     lavaray.wait_for(r'changed: torus.txt(?s:.*?)wrote torus.ppm')
     code = lavaray.stop()
-    check(code == 0, f'Ctrl-C ends it cleanly, not with {code}')
-    print(f'{checks} checks')
+    demand(code == 0, f'Ctrl-C ends it cleanly, not with {code}')
+    finish()
 
 
 main()

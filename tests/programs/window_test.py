@@ -10,13 +10,12 @@ import re
 import shutil
 import subprocess
 import sys
-import time
+
+sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from checks import fail, make_anew, until
 
 SECONDS = 60
-
-
-def fail(message):
-    sys.exit(f'FAILED: {message}')
 
 
 class Screen:
@@ -38,22 +37,12 @@ def xdotool(*arguments):
     return subprocess.run(['xdotool', *map(str, arguments)], capture_output=True, text=True).stdout.strip()
 
 
-def until(condition, what):
-    end = time.monotonic() + SECONDS
-    while time.monotonic() < end:
-        result = condition()
-        if result:
-            return result
-        time.sleep(0.05)
-    return fail(f'{what} did not happen')
-
-
 def window_of(process):
     def look():
         if process.poll() is not None:
             fail(f'it ended with {process.returncode} before its window was there')
         return xdotool('search', '--name', 'extensions').split('\n')[0]
-    return until(look, 'a window')
+    return until(look, 'a window', SECONDS)
 
 
 def title(window):
@@ -71,8 +60,7 @@ def main():
         if not shutil.which(tool):
             print(f'skipped: {tool} is not installed')
             sys.exit(77)
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    make_anew(work)
     picture = work / 'shown.ppm'
     helped = subprocess.run([programs / 'lavaray', '--display', scenes / 'facets.txt', '-o', picture, '-q'],
                             env={**os.environ, 'DISPLAY': ':99999'}, capture_output=True, text=True)
@@ -87,9 +75,9 @@ def main():
         for key in ('q', 'Escape'):
             render = start(programs, scenes, work, '--width', '300')
             window = window_of(render)
-            until(lambda: title(window).startswith('extensions.txt: 1 spp'), 'the final title')
+            until(lambda: title(window).startswith('extensions.txt: 1 spp'), 'the final title', SECONDS)
             xdotool('mousemove', '--window', window, 100, 50)
-            shown = until(lambda: re.search(r'\| 100,50: (\S+) (\S+) (\S+)', title(window)), 'the value of a pixel')
+            shown = until(lambda: re.search(r'\| 100,50: (\S+) (\S+) (\S+)', title(window)), 'the value of a pixel', SECONDS)
             data = picture.read_bytes()
             width = int(data.split(b'\n')[1].split()[0])
             pixel = data[len(data) % (3 * width) + 3 * (50 * width + 100):][:3]
@@ -99,7 +87,7 @@ def main():
             for _ in range(4):
                 xdotool('click', 4)
             xdotool('mousemove', '--window', window, 200, 100)
-            zoomed = until(lambda: re.search(r'\| (?!100,50)(\d+),(\d+): ', title(window)), 'a zoomed title')
+            zoomed = until(lambda: re.search(r'\| (?!100,50)(\d+),(\d+): ', title(window)), 'a zoomed title', SECONDS)
             expected = (100 + 100 / 1.25 ** 4, 50 + 50 / 1.25 ** 4)
             if abs(int(zoomed.group(1)) - expected[0]) > 3 or abs(int(zoomed.group(2)) - expected[1]) > 3:
                 fail(f'after zooming the mouse is at {zoomed.group(0)}, expected {expected}')
@@ -111,8 +99,8 @@ def main():
         picture.unlink()
         render = start(programs, scenes, work, '--spp', '100000')
         window = window_of(render)
-        first = until(lambda: re.search(r': (\S+) spp, (\d+) %, [\d:]+ left', title(window)), 'progress in the title')
-        until(lambda: float(re.search(r': (\S+) spp', title(window)).group(1)) > float(first.group(1)), 'growth')
+        first = until(lambda: re.search(r': (\S+) spp, (\d+) %, [\d:]+ left', title(window)), 'progress in the title', SECONDS)
+        until(lambda: float(re.search(r': (\S+) spp', title(window)).group(1)) > float(first.group(1)), 'growth', SECONDS)
         xdotool('key', '--window', window, 'q')
         if render.wait(SECONDS) != 130 or not picture.exists():
             fail(f'closed before its end: exit code {render.returncode}')
@@ -122,10 +110,10 @@ def main():
         shutil.copy(scenes / 'extensions.txt', scene)
         render = start(programs, work, work, '--width', '200', '--watch')
         window = window_of(render)
-        until(lambda: 'extensions.txt: 1 spp' in title(window), 'the final title')
+        until(lambda: 'extensions.txt: 1 spp' in title(window), 'the final title', SECONDS)
         before = picture.read_bytes()
         scene.write_text(re.sub(r'dif:.*', 'dif: 0.2 0.7 0.2', scene.read_text()))
-        until(lambda: picture.read_bytes() != before, 'a new picture')
+        until(lambda: picture.read_bytes() != before, 'a new picture', SECONDS)
         xdotool('key', '--window', window, 'q')
         if render.wait(SECONDS) != 0:
             fail(f'--watch: exit code {render.returncode}')
