@@ -8,8 +8,8 @@ PAIR = ("a.pfm", "b.pfm")
 PARTS = ("a.film", "b.film")
 WIDTH = "48"
 
-# Of each option its values, each a list of arguments, or why it is left out. All scenes are rendered, to PFM files, which
-# hold the most, unless the arguments name {scene} or another output.
+# Of each option its values, each a list of arguments, or why it is left out. All scenes are rendered, to PFM files,
+# which hold the most, unless the arguments name {scene} or another output.
 LAVARAY = {
     "--help": [["--help"], ["--help", "--verbose"]],
     "--version": [["--version"], ["--version", "--quiet"]],
@@ -102,7 +102,7 @@ def half_rendered(values):
 
 
 def trials():
-    """(name, commands): every scene as it is, then each of lavaray's options at each value, then the other programs'."""
+    """(name, commands): every scene as it is, each of lavaray's options at each value, then the other programs'."""
     yield "as they are", [["lavaray", "-q", ALL, "--width", "200", "-o", "{}.pfm"]]
     for name, values_of in LAVARAY.items():
         for values in values_of if isinstance(values_of, list) else []:
@@ -110,6 +110,7 @@ def trials():
             yield " ".join(values), [half_rendered(values), command] if name == "--resume" else [command]
     render = ["lavaray", "-q", ONE, "--width", WIDTH]
     pair = [[*render, "-o", PAIR[0]], [*render, "--spp", "8", "--filter", "tent", "-o", PAIR[1]]]
-    parts = [[*render, "--spp", "9", "--sample-range", samples, "-o", part] for part, samples in zip(PARTS, ("0:4", "4:9"))]
+    parts = [[*render, "--spp", "9", "--sample-range", samples, "-o", part]
+             for part, samples in zip(PARTS, ("0:4", "4:9"))]
     for program, inputs in (("lavaray-diff", pair), ("lavaray-merge", parts)):
         yield program, inputs + [[program, *values] for values_of in OPTIONS[program].values() for values in values_of]
