@@ -57,9 +57,16 @@ std::size_t expectedSize(const std::filesystem::path& file) {
   return unknown ? 0 : static_cast<std::size_t>(size);
 }
 
+std::string unreadableText(const std::filesystem::path& file, const std::string& reason) {
+  return printable(file.native()) + ": cannot be read: " + reason;
+}
+
+void failUnreadable(const std::filesystem::path& file, const std::string& reason) {
+  throw UnreadableFile(ExitCode::kInput, unreadableText(file, reason));
+}
+
 void failUnreadable(const std::filesystem::path& file, const std::system_error& error) {
-  throw UnreadableFile(ExitCode::kInput,
-                       printable(file.native()) + ": cannot be read: " + error.code().message());
+  failUnreadable(file, error.code().message());
 }
 
 }  // namespace lavaray

@@ -42,7 +42,10 @@ class UnreadableFile : public Error {
   using Error::Error;
 };
 
-// Throws UnreadableFile with the message `file: cannot be read: reason`.
+// `file: cannot be read: reason`.
+std::string unreadableText(const std::filesystem::path& file, const std::string& reason);
+// Throw UnreadableFile with that message.
+[[noreturn]] void failUnreadable(const std::filesystem::path& file, const std::string& reason);
 [[noreturn]] void failUnreadable(const std::filesystem::path& file, const std::system_error& error);
 
 }  // namespace lavaray

@@ -138,7 +138,7 @@ void FilmWriter::finish() {
 FilmReader::FilmReader(const std::filesystem::path& file) : file_(file) {
   noteRead(file, "the film");
   stream_ = std::fopen(file.c_str(), "rb");
-  if (stream_ == nullptr) fail(std::string("cannot be read: ") + std::strerror(errno));
+  if (stream_ == nullptr) failUnreadable(file, std::strerror(errno));
   try {
     readHeader();
     verify();
@@ -230,7 +230,7 @@ std::string checksumOfFile(const std::filesystem::path& file) {
     const std::string text = readFile(file);
     return checksumOf(std::as_bytes(std::span(text)));
   } catch (const std::system_error& error) {
-    throw Error(ExitCode::kInput, file.string() + ": cannot be read: " + error.code().message());
+    failUnreadable(file, error);
   }
 }
 

@@ -19,10 +19,6 @@ bool isReadable() {
   return flags != -1 && (flags & O_ACCMODE) != O_WRONLY;
 }
 
-[[noreturn]] void fail(const std::string& why) {
-  throw Error(ExitCode::kInput, std::string(kStandardInputName) + ": cannot be read: " + why);
-}
-
 }  // namespace
 
 bool isStandardInput(const std::filesystem::path& scene) {
@@ -38,14 +34,14 @@ std::string readStandardInput() {
     throw Error(ExitCode::kUsage,
                 "SCENE - is standard input, which is a terminal here; pipe a scene into it, or name a file");
   }
-  if (!isReadable()) fail("it is closed, or open for writing only");
+  if (!isReadable()) failUnreadable(kStandardInputName, "it is closed, or open for writing only");
   noteRead("/dev/stdin", "the scene");  // which may be a file
   try {
     // The descriptor itself stays open, or a file that is opened later would get its number.
     ByteReader reader(fdopen(dup(STDIN_FILENO), "rb"));
     return readAll(reader);
   } catch (const std::system_error& error) {
-    fail(error.code().message());
+    failUnreadable(kStandardInputName, error);
   }
 }
 

@@ -36,7 +36,7 @@ void ShaderSources::add(const std::string& name) {
     return;
   }
   if (reason.empty()) reason = std::make_error_code(std::errc::no_such_file_or_directory).message();
-  complaints_.push_back(file.string() + ": cannot be read: " + reason);
+  complaints_.push_back(unreadableText(file, reason));
 }
 
 std::size_t ShaderSources::include(std::string_view header, std::size_t depth) {
