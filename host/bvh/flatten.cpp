@@ -79,6 +79,7 @@ bool sameGeometry(const Scene& a, const Scene& b) {
 void flattenShading(const Scene& scene, GpuScene& flat) {
   const Frame frame = frameOf(scene);
   flat.imagePlane = imagePlane(scene.camera);
+  flat.scale = frame.scale;
   flat.planes.clear();
   for (const Plane& plane : scene.planes) flat.planes.push_back(flattenPlane(plane, frame));
   flat.lights.clear();

@@ -22,6 +22,7 @@ struct GpuScene {
   std::vector<gpu::Light> lights;
   std::vector<gpu::Material> materials;  // indexed by object
   ImagePlane imagePlane{};               // in pixels of the camera, not in units of the Frame
+  double scale = 1.0;                    // of the Frame: its lengths over those of the scene
   bool hasFewPrimitives = false;         // see flatten.hpp; if so, spheres come before triangles
   bool hasSpheres = false;
   bool hasTriangles = false;

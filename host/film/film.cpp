@@ -29,16 +29,4 @@ std::string describeDifference(const Identity& mine, const Identity& other) {
   return text;
 }
 
-std::size_t bytesPerPixel(FilmKind kind) {
-  switch (kind) {
-    case FilmKind::kCenters:
-      return sizeof(glm::vec3);
-    case FilmKind::kFixed:
-      return sizeof(PixelSum);
-    case FilmKind::kTarget:
-      break;
-  }
-  return sizeof(HalfSums);
-}
-
 }  // namespace lavaray

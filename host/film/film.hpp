@@ -6,34 +6,25 @@
 #include <vector>
 
 #include "base/rectangle.hpp"
-#include "sampling/pixel_sum.hpp"
 #include "sampling/sample_range.hpp"
+#include "sampling/sample_sums.hpp"
 
 namespace lavaray {
 
-// A film is what a render has gathered so far of a picture or a part of it: enough to go on as if it had
+// A film is what a render has gathered so far of a picture or a part of it: enough to resume as if it had
 // never stopped, and to merge parts into the very picture that one render of the whole makes.
 
-// Names and values of all that decides a picture's pixels, but for which of them a film has: the scene, the
-// meshes, the options, the shader. Films with equal identities are parts of one picture.
+// Names and values of everything that determines a picture's pixels, except which of them a film has: the
+// scene, the meshes, the options, the shader. Films with equal identities are parts of one picture.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
 // Where two identities differ, for a reader; empty where they are equal.
 std::string describeDifference(const Identity& mine, const Identity& other);
 
-// What a film holds for each pixel, in memory and in its file.
-enum class FilmKind {
-  kCenters,  // glm::vec3: the value of the one sample in the pixel's centre
-  kFixed,    // PixelSum
-  kTarget,   // HalfSums, of a render to a target error
-};
-
-std::size_t bytesPerPixel(FilmKind kind);
-
 struct FilmHeader {
   Identity identity;
   std::string device;  // Another one need not give the same bits.
-  FilmKind kind = FilmKind::kCenters;
+  SumKind kind = SumKind::kCenter;
   ImageSize size{};  // of the whole picture
   Rectangle crop;    // of the picture: what the film is of
   Rectangle traced;  // of the crop: outside of it all pixels are black; the film has only these pixels

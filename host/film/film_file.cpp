@@ -59,7 +59,7 @@ FilmHeader fromJson(const Json& json) {
   FilmHeader header;
   for (const Json& entry : json.at("identity")) header.identity.emplace_back(entry.at(0), entry.at(1));
   header.device = json.at("device");
-  header.kind = static_cast<FilmKind>(json.at("kind").get<int>());
+  header.kind = static_cast<SumKind>(json.at("kind").get<int>());
   header.size = {json.at("size").at(0), json.at("size").at(1)};
   header.crop = rectangle(json.at("crop"));
   header.traced = rectangle(json.at("traced"));
@@ -180,6 +180,8 @@ void FilmReader::readHeader() {
   } catch (const nlohmann::json::exception&) {
     fail("the film's header is damaged");
   }
+  if (header_.kind != SumKind::kCenter && header_.kind != SumKind::kMean && header_.kind != SumKind::kHalves)
+    fail("the film's header is damaged");
 }
 
 // A header that is damaged, too, is noticed here before anything is believed that it says.

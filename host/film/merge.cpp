@@ -78,8 +78,8 @@ Record recordAt(std::span<const std::byte> bytes, std::size_t index) {
   return record;
 }
 
-PixelSum sumAt(FilmKind kind, std::span<const std::byte> bytes, std::size_t index) {
-  if (kind == FilmKind::kFixed) return recordAt<PixelSum>(bytes, index);
+PixelSum sumAt(SumKind kind, std::span<const std::byte> bytes, std::size_t index) {
+  if (kind == SumKind::kMean) return recordAt<PixelSum>(bytes, index);
   const auto pixel = recordAt<HalfSums>(bytes, index);
   PixelSum sum = pixel.halves[0];
   sum.add(pixel.halves[1]);
@@ -116,7 +116,7 @@ std::vector<std::string> Merge::warnings() const {
                      parts_.front()->file().string() + " on " + first().device +
                      "; their pixels may differ in the last bits");
   }
-  if (first().kind == FilmKind::kTarget && parts_.size() > 1) {
+  if (first().kind == SumKind::kHalves && parts_.size() > 1) {
     result.push_back(
         "with --target-error each part has samples of its own: the picture has the error that was "
         "asked for, but not the bits of one render of the whole");
@@ -150,9 +150,9 @@ void Merge::checkCoverage(const Rectangle& area) const {
 
 void Merge::readRow(int y, int x0, std::span<float> rgb) {
   const int x1 = x0 + static_cast<int>(rgb.size() / 3);
-  const FilmKind kind = first().kind;
+  const SumKind kind = first().kind;
   std::fill(rgb.begin(), rgb.end(), 0.0F);
-  std::vector<PixelSum> sums(kind == FilmKind::kCenters ? 0 : rgb.size() / 3);
+  std::vector<PixelSum> sums(kind == SumKind::kCenter ? 0 : rgb.size() / 3);
   for (const auto& part : parts_) {
     const auto& [crop, traced, range] =
         std::tie(part->header().crop, part->header().traced, part->header().range);
@@ -168,7 +168,7 @@ void Merge::readRow(int y, int x0, std::span<float> rgb) {
       const auto index = static_cast<std::size_t>(x - traced.x0);
       if (isBlack) {
         if (!sums.empty()) sums[pixel].add(glm::vec3(0.0F), range.end - range.first);
-      } else if (kind == FilmKind::kCenters) {
+      } else if (kind == SumKind::kCenter) {
         const auto value = recordAt<glm::vec3>(bytes_, index);
         for (int channel = 0; channel < 3; ++channel) rgb[3 * pixel + channel] = value[channel];
       } else {

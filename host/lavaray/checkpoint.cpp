@@ -36,7 +36,7 @@ void resume(const std::filesystem::path& file, const Identity& identity, const R
     std::cerr << "warning: " << file.string() << " was rendered on " << header.device << ", this is "
               << device << "; their pixels may differ in the last bits\n";
   }
-  render.goOnFrom(film);
+  render.resumeFrom(film);
 }
 
 Checkpoint::Checkpoint(const OutputName& file, double everySeconds, const Identity& identity)

@@ -7,7 +7,7 @@
 
 #include "base/output_file.hpp"
 #include "film/film.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 
 namespace lavaray {
 

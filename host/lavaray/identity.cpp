@@ -5,7 +5,7 @@
 #include "bvh/flatten.hpp"
 #include "command_line/version.hpp"
 #include "film/film_file.hpp"
-#include "render/tracer.hpp"
+#include "render/variant.hpp"
 
 namespace lavaray {
 namespace {

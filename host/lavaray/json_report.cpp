@@ -55,7 +55,7 @@ Json raysJson(const TraceCounts& counts) {
 Json samplingJson(const RenderStatistics& render) {
   return {{"stopped", stopReasonName(render.stopReason)},
           {"samplesPerPixel", render.samplesPerPixel},
-          {"mostSamplesPerPixel", render.mostSamples},
+          {"mostSamplesPerPixel", render.maxSamples},
           {"skippedPixels", render.skippedPixels},
           {"estimatedRmse", render.estimatedError > 0.0 ? Json(render.estimatedError) : Json()}};
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <exception>
 
-#include "bvh/frame.hpp"
 #include "image/exr_common.hpp"
 #include "lavaray/origin.hpp"
 
@@ -33,9 +32,8 @@ bool Layers::areTraced() const {
   return std::ranges::any_of(files_, [](const File& file) { return isTraced(file.layer); });
 }
 
-bool Layers::trace(vulkan::Device& device, const Scene& scene, const GpuScene& gpuScene,
-                   RenderSettings settings, const Rectangle& part,
-                   const std::function<bool(double)>& proceed) {
+bool Layers::trace(vulkan::Device& device, const GpuScene& gpuScene, RenderSettings settings,
+                   const Rectangle& part, const std::function<bool(double)>& proceed) {
   settings.crop = part;
   const auto count = std::ranges::count_if(files_, [](const File& file) { return isTraced(file.layer); });
   double done = 0.0;
@@ -43,7 +41,7 @@ bool Layers::trace(vulkan::Device& device, const Scene& scene, const GpuScene& g
     if (!isTraced(file.layer)) continue;
     const auto writer = makeWriter(file, settings, part, device.description().name);
     const bool isWhole = traceLayer(
-        device, gpuScene, frameOf(scene).scale, scene.camera, settings, file.layer,
+        device, gpuScene, settings, file.layer,
         [&](std::span<const float> values) { writer->writeNumbers(values); },
         [&](double share) { return proceed((done + share) / static_cast<double>(count)); });
     if (!isWhole) return false;

@@ -10,7 +10,7 @@
 #include "image/exr_writer.hpp"
 #include "lavaray/options.hpp"
 #include "render/layer.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 
 namespace lavaray {
 
@@ -26,8 +26,8 @@ class Layers {
 
   // Traces those layers of `part` that come from rays through the pixels' centres. `proceed` gets the share
   // that is done; returns false if that stopped it.
-  bool trace(vulkan::Device& device, const Scene& scene, const GpuScene& gpuScene, RenderSettings settings,
-             const Rectangle& part, const std::function<bool(double)>& proceed);
+  bool trace(vulkan::Device& device, const GpuScene& gpuScene, RenderSettings settings, const Rectangle& part,
+             const std::function<bool(double)>& proceed);
   // Writes those layers that come from the picture's own sampling: `part` of what was rendered,
   // settings.crop.
   void write(const Render& render, const RenderSettings& settings, const Rectangle& part,

@@ -84,7 +84,7 @@ void addSamplingOptions(CLI::App& app, Options& options) {
   CLI::Option* spp =
       app.add_option("--spp", options.render.samples, "Samples per pixel; 1 is the pixel's centre")
           ->type_name("N")
-          ->check(integerFrom(1, kMostSamples))
+          ->check(integerFrom(1, kMaxSamplesPerPixel))
           ->capture_default_str();
   addFilterOption(app, options);
   app.add_option("--target-error", options.render.targetError,
@@ -94,7 +94,7 @@ void addSamplingOptions(CLI::App& app, Options& options) {
       ->excludes(spp);
   app.add_option("--max-spp", options.render.maxSamples, "Samples per pixel that --target-error may take")
       ->type_name("N")
-      ->check(integerFrom(2, kMostSamples))
+      ->check(integerFrom(2, kMaxSamplesPerPixel))
       ->capture_default_str();
   app.add_option("--time-limit", options.render.timeLimitSeconds, "Stop sampling after S seconds")
       ->type_name("S")

@@ -5,7 +5,7 @@
 
 #include "image/image.hpp"
 #include "lavaray/options.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 
 namespace lavaray {
 

@@ -9,7 +9,7 @@
 #include "film/film.hpp"
 #include "image/row_writer.hpp"
 #include "lavaray/options.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 
 namespace lavaray {
 

@@ -7,7 +7,7 @@
 
 #include "bvh/flatten.hpp"
 #include "lavaray/step_times.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 #include "vulkan/device.hpp"

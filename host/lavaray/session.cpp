@@ -104,7 +104,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   checkMemory(plan.settings, !needsWhole(options_));
 
   if (!traceLayers(files.layers, plan, isOutdated)) return ExitCode::kSuccess;
-  Render render(open.device, inputs_.gpuScene(), inputs_.scene().camera, plan.settings);
+  Render render(open.device, inputs_.gpuScene(), plan.settings);
   if (!options_.resume.empty()) resume(options_.resume, identity, plan.settings, deviceName, render);
   files.outputs.beginPicture(plan.part, describeOrigin(options_, plan.settings, deviceName));
   if (!run(render, checkpoint, files.outputs, isOutdated)) return ExitCode::kSuccess;
@@ -152,12 +152,12 @@ bool Session::traceLayers(Layers& layers, const Plan& plan, const IsOutdated& is
   if (!layers.areTraced()) return true;
   bool isOutOfDate = false;
   progress_.begin("tracing the layers");
-  const bool isWhole = layers.trace(device_.get().device, inputs_.scene(), inputs_.gpuScene(), plan.settings,
-                                    plan.part, [&](double share) {
-                                      progress_.update(share, "");
-                                      isOutOfDate = isOutdated();
-                                      return !isEnded() && !isOutOfDate;
-                                    });
+  const bool isWhole =
+      layers.trace(device_.get().device, inputs_.gpuScene(), plan.settings, plan.part, [&](double share) {
+        progress_.update(share, "");
+        isOutOfDate = isOutdated();
+        return !isEnded() && !isOutOfDate;
+      });
   progress_.end();
   times_.endStep("trace layers");
   if (isWhole || isOutOfDate) return isWhole;

@@ -13,7 +13,7 @@
 #include "lavaray/render_context.hpp"
 #include "lavaray/step_times.hpp"
 #include "lavaray/viewer.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 
 namespace lavaray {
 

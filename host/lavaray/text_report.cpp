@@ -26,7 +26,7 @@ void printHierarchy(std::ostream& out, const HierarchyReport& hierarchy) {
 
 void printRender(std::ostream& out, const RenderStatistics& render) {
   out << "rays\n  camera          " << render.counts.samples << " (" << render.samplesPerPixel
-      << " a pixel, at most " << render.mostSamples << ")\n  mirror          " << render.counts.mirrorRays
+      << " a pixel, at most " << render.maxSamples << ")\n  mirror          " << render.counts.mirrorRays
       << "\n  shadow          " << render.counts.shadowRays << "\nskipped\n  camera rays     "
       << render.counts.skippedSamples << "\n  shadow rays     " << render.counts.skippedShadowRays
       << "\n  black pixels    " << render.skippedPixels << "\nsampling\n  stopped         "

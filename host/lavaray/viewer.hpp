@@ -5,7 +5,7 @@
 
 #include "lavaray/options.hpp"
 #include "lavaray/window.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 
 namespace lavaray {
 

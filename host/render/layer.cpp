@@ -32,9 +32,9 @@ Layer layerNamed(const std::string& name) {
               "--layers: there is no layer " + lavaray::quoted(name) + ", allowed are " + kLayerNames);
 }
 
-float distance(const glm::vec3& sum, double frameScale) {
+float distance(const glm::vec3& sum, double scale) {
   const bool isHit = sum.y > 0.0F;
-  return isHit ? static_cast<float>(sum.x / frameScale) : std::numeric_limits<float>::infinity();
+  return isHit ? static_cast<float>(sum.x / scale) : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ bool isTraced(Layer layer) {
   return layer != Layer::kSamples && layer != Layer::kError;
 }
 
-bool traceLayer(vulkan::Device& device, const GpuScene& scene, double frameScale, const Camera& camera,
-                RenderSettings settings, Layer layer, const std::function<void(std::span<const float>)>& take,
+bool traceLayer(vulkan::Device& device, const GpuScene& scene, RenderSettings settings, Layer layer,
+                const std::function<void(std::span<const float>)>& take,
                 const std::function<bool(double)>& proceed) {
   assert(isTraced(layer));
   settings.view = viewOf(layer);
@@ -77,19 +77,17 @@ bool traceLayer(vulkan::Device& device, const GpuScene& scene, double frameScale
   settings.range.reset();
   settings.targetError.reset();
   settings.countRays = false;
-  const Rectangle& part = settings.crop;
-  const auto pixels =
-      static_cast<std::uint64_t>(part.x1 - part.x0) * static_cast<std::uint64_t>(part.y1 - part.y0);
-  Tracer tracer(device, scene, camera, settings, pixels);
+  const std::uint64_t pixels = settings.crop.pixels();
+  Tracer tracer(device, scene, settings, settings.crop, pixels);
   std::uint64_t done = 0;
   std::vector<float> values;
   return tracer.run(
-      0, pixels, {},
+      uniformPass(pixels, {0, 1}), 0,
       [&](std::uint64_t /*first*/, std::span<const gpu::WorkResult> results) {
         values.clear();
         for (const gpu::WorkResult& result : results) {
           if (layer == Layer::kDepth) {
-            values.push_back(distance(result.sum, frameScale));
+            values.push_back(distance(result.sum, scene.scale));
           } else {
             values.insert(values.end(), &result.sum.x, &result.sum.x + channelsOf(layer));
           }

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bvh/flatten.hpp"
+#include "bvh/gpu_scene.hpp"
 #include "render/settings.hpp"
-#include "scene/camera.hpp"
 #include "vulkan/device.hpp"
 
 namespace lavaray {
@@ -37,11 +36,10 @@ std::size_t channelsOf(Layer layer);
 bool isTraced(Layer layer);
 
 // Traces the layer of settings.crop. `take` is handed the values pixel by pixel, row by row, in any division;
-// `proceed` is called now and then with the share that is done and returns whether to go on. The frame's
-// scale is how much larger than the file's the scene's lengths are on the device. Returns false where it was
-// stopped.
-bool traceLayer(vulkan::Device& device, const GpuScene& scene, double frameScale, const Camera& camera,
-                RenderSettings settings, Layer layer, const std::function<void(std::span<const float>)>& take,
+// `proceed` is called now and then with the share that is done and returns whether to go on. Returns false
+// where it was stopped.
+bool traceLayer(vulkan::Device& device, const GpuScene& scene, RenderSettings settings, Layer layer,
+                const std::function<void(std::span<const float>)>& take,
                 const std::function<bool(double)>& proceed);
 
 }  // namespace lavaray

@@ -18,17 +18,15 @@ std::pair<int, int> pixelRange(double lower, double upper, int first, int end) {
 
 }  // namespace
 
-PixelBounds project(const Box& box, const Camera& camera, const ImageSize& size) {
-  const ImageSize plane = imageSize(camera).value();
-  const glm::dvec2 half(plane.width / 2.0, plane.height / 2.0);
-  const glm::dvec2 scale(static_cast<double>(size.width) / plane.width,
-                         static_cast<double>(size.height) / plane.height);
+PixelBounds project(const Box& box, const ImagePlane& plane, const ImageSize& size) {
+  const glm::dvec2 half = plane.size / 2.0;
+  const glm::dvec2 scale = glm::dvec2(size.width, size.height) / plane.size;
   PixelBounds bounds{glm::dvec2(INFINITY), glm::dvec2(-INFINITY)};
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p((corner & 1) != 0 ? box.upper.x : box.lower.x,
                        (corner & 2) != 0 ? box.upper.y : box.lower.y,
                        (corner & 4) != 0 ? box.upper.z : box.lower.z);
-    const glm::dvec2 onPlane = glm::dvec2(p.x, -p.y) * (camera.focalLength / -p.z) + half;
+    const glm::dvec2 onPlane = glm::dvec2(p.x, -p.y) * (plane.distance / -p.z) + half;
     bounds.lower = glm::min(bounds.lower, onPlane * scale);
     bounds.upper = glm::max(bounds.upper, onPlane * scale);
   }

@@ -2,14 +2,14 @@
 
 #include <glm/vec2.hpp>
 
+#include "base/rectangle.hpp"
 #include "bvh/box.hpp"
-#include "image/image.hpp"
 #include "scene/camera.hpp"
 
 namespace lavaray {
 
-// How far a camera ray may pass by a box that it hits nonetheless, as the shader rounds; far more than it
-// does.
+// How far a camera ray may miss a box by that the shader, which rounds, still finds it to hit; far more than
+// the rounding amounts to.
 inline constexpr double kRoundingPixels = 0.5;
 
 struct PixelBounds {
@@ -17,9 +17,9 @@ struct PixelBounds {
   glm::dvec2 upper;
 };
 
-// Bounds of the image of a box, in pixels of an image of that size from its top left corner. The box is in
+// Bounds of a box's projection, in pixels of an image of that size from its top left corner. The box is in
 // the camera's coordinates and lies in front of it: box.upper.z < 0.
-PixelBounds project(const Box& box, const Camera& camera, const ImageSize& size);
+PixelBounds project(const Box& box, const ImagePlane& plane, const ImageSize& size);
 
 // The pixels of `part` that have a point in the bounds; empty (x0 == x1 or y0 == y1) where none has.
 Rectangle pixelsIn(const PixelBounds& bounds, const Rectangle& part);

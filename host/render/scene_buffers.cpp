@@ -15,8 +15,8 @@ std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
 }  // namespace
 
 vulkan::BufferUse sceneUse(const vulkan::Device& device, const GpuScene& scene) {
-  std::size_t most = 0;
-  const auto look = [&](const auto& elements) { most = std::max(most, bytesOf(elements).size()); };
+  std::size_t max = 0;
+  const auto look = [&](const auto& elements) { max = std::max(max, bytesOf(elements).size()); };
   look(scene.nodes);
   look(scene.primitives);
   look(scene.trianglePlanes);
@@ -25,7 +25,7 @@ vulkan::BufferUse sceneUse(const vulkan::Device& device, const GpuScene& scene) 
   look(scene.lights);
   look(scene.materials);
   const std::uint64_t reach = std::uint64_t{device.limits().texelBufferElements} * vulkan::kTexelBytes;
-  return most <= reach ? vulkan::BufferUse::kTexels : vulkan::BufferUse::kStorage;
+  return max <= reach ? vulkan::BufferUse::kTexels : vulkan::BufferUse::kStorage;
 }
 
 std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene,
@@ -46,29 +46,6 @@ std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& 
   upload(gpu::kBindingLights, "lights", bytesOf(scene.lights));
   upload(gpu::kBindingMaterials, "materials", bytesOf(scene.materials));
   return buffers;
-}
-
-std::vector<std::uint32_t> specializationFor(const GpuScene& scene) {
-  std::vector<std::uint32_t> values(gpu::kSpecCount);
-  values[gpu::kSpecHasSpheres] = scene.hasSpheres ? 1 : 0;
-  values[gpu::kSpecHasTriangles] = scene.hasTriangles ? 1 : 0;
-  values[gpu::kSpecHasCornerNormals] = scene.hasCornerNormals ? 1 : 0;
-  values[gpu::kSpecPlaneCount] = static_cast<std::uint32_t>(scene.planes.size());
-  values[gpu::kSpecLightCount] = static_cast<std::uint32_t>(scene.lights.size());
-  values[gpu::kSpecHasMirrors] = scene.hasMirrors ? 1 : 0;
-  values[gpu::kSpecHasSphericalLights] = scene.hasSphericalLights ? 1 : 0;
-  if (scene.hasFewPrimitives) {
-    const auto isSphere = [](const gpu::Primitive& primitive) {
-      return primitive.kind == gpu::kPrimitiveSphere;
-    };
-    const auto spheres = std::ranges::count_if(scene.primitives, isSphere);
-    values[gpu::kSpecFewSpheres] = static_cast<std::uint32_t>(spheres);
-    values[gpu::kSpecFewTriangles] =
-        static_cast<std::uint32_t>(scene.primitives.size()) - values[gpu::kSpecFewSpheres];
-  }
-  // The traversal's stack holds nodes above the one that it is at.
-  values[gpu::kSpecStackSize] = std::max(scene.bvhDepth, 2U) - 1U;
-  return values;
 }
 
 }  // namespace lavaray

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "bvh/flatten.hpp"
+#include "bvh/gpu_scene.hpp"
 #include "vulkan/buffer.hpp"
 
 namespace lavaray {
@@ -16,8 +15,5 @@ vulkan::BufferUse sceneUse(const vulkan::Device& device, const GpuScene& scene);
 // own buffers follow. Throws Error(kDevice) where an array is larger than the device lets a shader reach.
 std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene,
                                         vulkan::BufferUse use = vulkan::BufferUse::kTexels);
-
-// The specialization constants, by gpu::kSpec..., with those set that say what the scene has.
-std::vector<std::uint32_t> specializationFor(const GpuScene& scene);
 
 }  // namespace lavaray

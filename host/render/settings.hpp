@@ -4,29 +4,16 @@
 #include <optional>
 #include <span>
 
-#include "film/film.hpp"
-#include "image/image.hpp"
+#include "base/rectangle.hpp"
 #include "render/view.hpp"
 #include "sampling/pixel_filter.hpp"
-#include "scene/camera.hpp"
+#include "sampling/sample_range.hpp"
+#include "sampling/sampler.hpp"
 
 namespace lavaray {
 
-enum class Sampler {
-  kSobol,   // Owen-scrambled Sobol points
-  kRandom,  // independent random numbers; for comparison
-};
-
-inline constexpr const char* kSamplerNames = "sobol, random";
-inline const char* samplerName(Sampler sampler) {
-  return sampler == Sampler::kSobol ? "sobol" : "random";
-}
-
-// So many that the fixed-point sums (see PixelSum) still hold them.
-inline constexpr std::uint32_t kMostSamples = 1U << 22U;
-
 struct RenderSettings {
-  ImageSize size;  // of the whole image
+  ImageSize size;  // of the whole picture
   Rectangle crop;  // the part of it to render
   std::uint32_t maxDepth = 8;
   std::uint32_t samples = 1;  // a pixel; 1 is its centre
@@ -35,7 +22,7 @@ struct RenderSettings {
   Sampler sampler = Sampler::kSobol;
   PixelFilter filter = PixelFilter::kBox;
   std::uint32_t seed = 0;
-  // Instead of `samples`: sample until the image's RMSE is estimated to be at most this, with at most
+  // Instead of `samples`: sample until the picture's RMSE is estimated to be at most this, with at most
   // maxSamples a pixel.
   std::optional<double> targetError;
   std::uint32_t maxSamples = 65536;
@@ -43,15 +30,25 @@ struct RenderSettings {
   View view = View::kColor;
   bool asData = false;  // of the views normal and object the numbers behind them, see gpu::kSpecAsData
   bool countRays = false;
-  // Without it there is no picture to look at, to keep in a film or to go on from: each row is handed over as
+  // Without it there is no picture to look at, to keep in a film or to resume: each row is handed over as
   // soon as it is complete. For one sample a pixel and a view that is no measure.
   bool keepsPicture = true;
   // SPIR-V of render.comp; empty is what the program was built with.
   std::span<const std::uint32_t> shader;
-  // Without it the pipeline holds the code for all that any scene may have; for comparison.
+  // Without it the pipeline holds the code for everything that any scene may have; for comparison.
   bool specialized = true;
   // Reads the scene from storage buffers even where texels reach; for comparison.
   bool sceneInStorage = false;
 };
+
+// Whether each pixel has one sample, in its centre.
+inline bool takesCenters(const RenderSettings& settings) {
+  return settings.samples == 1 && !settings.targetError;
+}
+
+// The samples of each pixel, where there is no target error.
+inline SampleRange sampleRange(const RenderSettings& settings) {
+  return settings.range.value_or(SampleRange{0, settings.samples});
+}
 
 }  // namespace lavaray

@@ -3,15 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "bvh/flatten.hpp"
+#include "bvh/gpu_scene.hpp"
 #include "render/settings.hpp"
 
 namespace lavaray {
 
-// The pixels of the crop, by index, onto which objects fall whose image is less than two pixels wide or high:
-// a few samples can miss such an object, and its neighbours' samples with them. Each pixel is named once.
-// Objects in mirrors and shadows are not looked for.
-std::vector<std::uint64_t> pixelsOfSmallObjects(const GpuScene& scene, const Camera& camera,
-                                                const RenderSettings& settings);
+// The pixels of the crop, by index, that objects cover whose projection is less than two pixels wide or high:
+// a few samples can miss such an object, and so can its neighbours' samples. Each pixel is named once.
+// Objects seen in mirrors or by their shadows are not looked for.
+std::vector<std::uint64_t> pixelsOfSmallObjects(const GpuScene& scene, const RenderSettings& settings);
 
 }  // namespace lavaray

@@ -6,123 +6,72 @@
 
 #include "base/errors.hpp"
 #include "render/scene_buffers.hpp"
-#include "render/tile_starts.hpp"
-#include "renderFewPrimitivesSpirv.spv.h"
-#include "renderFromStorageSpirv.spv.h"
-#include "renderSpirv.spv.h"
 
 namespace lavaray {
 namespace {
 
-// A piece never has more items, so that the buffers stay small whatever the image's size.
-constexpr std::uint64_t kMaxPieceItems = std::uint64_t{1} << 20U;
-constexpr double kFirstPieceRays = 1U << 15U;
-constexpr double kPieceSeconds = 0.1;
+// A batch never has more items, so that the buffers stay small whatever the picture's size.
+constexpr std::uint64_t kMaxBatchItems = std::uint64_t{1} << 20U;
+constexpr double kFirstBatchRays = 1U << 15U;
+constexpr double kBatchSeconds = 0.1;
 
-gpu::DispatchConstants dispatchConstants(const Camera& camera, const RenderSettings& settings,
-                                         const GpuScene& scene, std::size_t filterSize) {
-  const ImageSize plane = imageSize(camera).value();
+gpu::DispatchConstants dispatchConstants(const GpuScene& scene, const RenderSettings& settings,
+                                         const Rectangle& area) {
+  const ImagePlane& plane = scene.imagePlane;
   gpu::DispatchConstants constants{};
-  constants.pixelSize =
-      glm::dvec2(plane.width, plane.height) / glm::dvec2(settings.size.width, settings.size.height);
-  constants.halfImage = glm::dvec2(plane.width, plane.height) / 2.0;
-  constants.focalLength = static_cast<float>(camera.focalLength);
-  constants.cropX = static_cast<gpu::uint>(settings.crop.x0);
-  constants.cropY = static_cast<gpu::uint>(settings.crop.y0);
-  constants.cropWidth = static_cast<gpu::uint>(settings.crop.x1 - settings.crop.x0);
+  constants.pixelSize = plane.size / glm::dvec2(settings.size.width, settings.size.height);
+  constants.halfImage = plane.size / 2.0;
+  constants.focalLength = static_cast<float>(plane.distance);
+  constants.cropX = static_cast<gpu::uint>(area.x0);
+  constants.cropY = static_cast<gpu::uint>(area.y0);
+  constants.cropWidth = static_cast<gpu::uint>(area.width());
   constants.seed = settings.seed;
-  constants.maxDepth = scene.hasMirrors && tracesMirrors(settings.view) ? settings.maxDepth : 0;
-  constants.filterSize = static_cast<gpu::uint>(filterSize);
   return constants;
 }
 
-bool takesCenterOnly(const RenderSettings& settings) {
-  return settings.samples == 1 && !settings.targetError;
+// About as long as any other batch, though nothing is known yet of the scene's rays.
+double firstBatchItems(const PipelineVariant& variant) {
+  return std::max(double{gpu::kWorkGroupSize}, kFirstBatchRays / (1.0 + variant.lights));
 }
 
-std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSettings& settings) {
-  std::vector<std::uint32_t> values = specializationFor(scene);
-  values[gpu::kSpecSampling] = takesCenterOnly(settings)             ? gpu::kSamplingCenter
-                               : settings.sampler == Sampler::kSobol ? gpu::kSamplingSobol
-                                                                     : gpu::kSamplingRandom;
-  values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
-  values[gpu::kSpecHasEntryNodes] = settings.specialized && !scene.hasFewPrimitives ? 1 : 0;
-  if (!settings.specialized) {
-    for (const gpu::uint feature : {gpu::kSpecHasSpheres, gpu::kSpecHasTriangles, gpu::kSpecHasCornerNormals,
-                                    gpu::kSpecHasMirrors, gpu::kSpecHasSphericalLights}) {
-      values[feature] = 1;
-    }
-    values[gpu::kSpecStackSize] = gpu::kMaxBvhDepth;
-  }
-  values[gpu::kSpecView] = tracedView(settings.view);
-  values[gpu::kSpecAsData] = settings.asData ? 1 : 0;
-  if (!tracesMirrors(settings.view)) values[gpu::kSpecHasMirrors] = 0;
-  if (!tracesLights(settings.view)) {
-    values[gpu::kSpecLightCount] = 0;
-    values[gpu::kSpecHasSphericalLights] = 0;
-  }
-  return values;
-}
-
-// Where nothing is, a sample is black, unless a shader of the user's knows better. One sample of each pixel
-// is as fast as a list of the pixels where something is.
-bool skipsTiles(const GpuScene& scene, const RenderSettings& settings) {
-  if (!settings.specialized || takesCenterOnly(settings) || !settings.shader.empty()) return false;
-  return scene.planes.empty() && !scene.hasFewPrimitives;
+std::uint32_t capacityFor(const vulkan::Device& device, std::uint64_t items) {
+  const std::uint64_t reachable =
+      std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
+                              std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
+  return static_cast<std::uint32_t>(std::min({kMaxBatchItems, reachable, items}));
 }
 
 }  // namespace
 
-std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives) {
-  if (!settings.shader.empty()) return settings.shader;
-  if (hasFewPrimitives && settings.specialized) return renderFewPrimitivesSpirv;
-  return renderSpirv;
-}
-
-Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
-               const RenderSettings& settings, std::uint64_t items)
+Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings,
+               const Rectangle& area, std::uint64_t items)
     : device_(device),
-      centerOnly_(takesCenterOnly(settings)),
-      starts_(tileStarts(scene, camera, settings)),
-      skipsTiles_(skipsTiles(scene, settings)),
-      shader_(shaderOf(settings, scene.hasFewPrimitives)) {
-  const std::uint64_t reachable =
-      std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
-                              std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
-  capacity_ = static_cast<std::uint32_t>(std::min({kMaxPieceItems, reachable, items}));
-  const std::uint64_t lights = tracesLights(settings.view) ? scene.lights.size() : 0;
-  pieceItems_ = std::max(double{gpu::kWorkGroupSize}, kFirstPieceRays / static_cast<double>(1 + lights));
-
+      variant_(chooseVariant(device, scene, settings)),
+      takesCenters_(lavaray::takesCenters(settings)),
+      entryNodes_(entryNodes(scene, settings, area)),
+      constants_(dispatchConstants(scene, settings, area)),
+      capacity_(capacityFor(device, items)),
+      batchItems_(firstBatchItems(variant_)) {
+  if (variant_.skipsEmptyTiles)
+    skippedPixels_ = pixelsOfEmptyTiles(entryNodes_, {area.width(), area.height()});
   const std::vector<float> filter = filterTable(settings.filter);
-  constants_ = dispatchConstants(camera, settings, scene, filter.size());
-  // A shader of the user's reads texels.
-  const bool inStorage = settings.shader.empty() &&
-                         (settings.sceneInStorage || sceneUse(device, scene) == vulkan::BufferUse::kStorage);
-  if (inStorage) shader_ = renderFromStorageSpirv;
-  const auto use = inStorage ? vulkan::BufferUse::kStorage : vulkan::BufferUse::kTexels;
-  buffers_ = uploadScene(device, scene, use);
-  if (skipsTiles_) {
-    skippedPixels_ = pixelsOfEmptyTiles(
-        starts_, {settings.crop.x1 - settings.crop.x0, settings.crop.y1 - settings.crop.y0});
-  }
-  constants_.tileShift = starts_.shift;
-  constants_.tilesAcross = starts_.across;
-  buffers_.push_back(
-      vulkan::Buffer::uploaded(device, "tiles", use, std::as_bytes(std::span(starts_.groups))));
+  constants_.maxDepth = variant_.maxDepth;
+  constants_.filterSize = static_cast<gpu::uint>(filter.size());
+  constants_.tileShift = entryNodes_.shift;
+  constants_.tilesAcross = entryNodes_.across;
+
+  buffers_ = uploadScene(device, scene, variant_.sceneUse);
+  buffers_.push_back(vulkan::Buffer::uploaded(device, "tiles", variant_.sceneUse,
+                                              std::as_bytes(std::span(entryNodes_.groups))));
   const std::vector<float> noTable(4);
   buffers_.push_back(vulkan::Buffer::uploaded(device, "pixel filter", vulkan::BufferUse::kStorage,
                                               std::as_bytes(std::span(filter.empty() ? noTable : filter))));
-  const std::size_t workItems = centerOnly_ ? 1 : capacity_;
+  const std::size_t workItems = takesCenters_ ? 1 : capacity_;
   buffers_.push_back(vulkan::Buffer::shared(device, "work items", workItems * sizeof(gpu::WorkItem)));
   buffers_.push_back(vulkan::Buffer::shared(device, "results", capacity_ * sizeof(gpu::WorkResult)));
   buffers_.push_back(vulkan::Buffer::shared(device, "unfinished work", sizeof(gpu::WorkState)));
   buffers_.push_back(vulkan::Buffer::shared(device, "dispatch status", sizeof(gpu::DispatchStatus)));
-  specialization_ = specialization(scene, settings);
-  const std::uint64_t directions = scene.hasSphericalLights ? gpu::kClampedLightDirections : 1;
-  const std::uint64_t shadowRays =
-      std::uint64_t{gpu::kMaxSamplesPerItem} * directions * lights * (1 + constants_.maxDepth);
-  if (settings.specialized && shadowRays <= gpu::kMaxShadowRaysPerDispatch)
-    direct_.emplace(makeShader(false));
+  if (variant_.finishesItems) direct_.emplace(makeShader(false));
 }
 
 std::size_t Tracer::deviceBytes() const {
@@ -131,39 +80,41 @@ std::size_t Tracer::deviceBytes() const {
   return bytes;
 }
 
-bool Tracer::run(std::uint64_t first, std::uint64_t end, const MakeItems& makeItems,
-                 const TakeResults& takeResults, const Stop& stop) {
+bool Tracer::run(const SamplePass& pass, std::uint64_t first, const TakeResults& takeResults,
+                 const Stop& stop) {
   using Clock = std::chrono::steady_clock;
-  while (first < end) {
+  while (first < pass.items) {
     if (stop()) return false;
-    const auto pieceCount = static_cast<std::uint32_t>(
-        std::min({static_cast<std::uint64_t>(pieceItems_), std::uint64_t{capacity_}, end - first}));
+    const auto count = static_cast<std::uint32_t>(
+        std::min({static_cast<std::uint64_t>(batchItems_), std::uint64_t{capacity_}, pass.items - first}));
     const Clock::time_point start = Clock::now();
-    const std::uint32_t traced = makePiece(first, pieceCount, makeItems);
+    const std::uint32_t traced = makeBatch(pass, first, count);
     if (traced > 0) dispatchUntilFinished(traced);
-    takePiece(first, pieceCount, takeResults);
-
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    // The first piece's time says nothing: drivers compile the shader in it.
-    const double factor = isWarm_ ? std::clamp(kPieceSeconds / seconds, 0.25, 4.0) : 4.0;
-    pieceItems_ =
-        std::clamp(pieceItems_ * factor, double{gpu::kWorkGroupSize}, static_cast<double>(kMaxPieceItems));
-    isWarm_ = true;
-    first += pieceCount;
+    takeBatch(first, count, takeResults);
+    adaptBatch(std::chrono::duration<double>(Clock::now() - start).count());
+    first += count;
   }
   return true;
 }
 
+void Tracer::adaptBatch(double seconds) {
+  // The first batch's time says nothing: drivers compile the shader in it.
+  const double factor = isWarm_ ? std::clamp(kBatchSeconds / seconds, 0.25, 4.0) : 4.0;
+  batchItems_ =
+      std::clamp(batchItems_ * factor, double{gpu::kWorkGroupSize}, static_cast<double>(kMaxBatchItems));
+  isWarm_ = true;
+}
+
 // Returns how many items there are to trace.
-std::uint32_t Tracer::makePiece(std::uint64_t first, std::uint32_t count, const MakeItems& makeItems) {
+std::uint32_t Tracer::makeBatch(const SamplePass& pass, std::uint64_t first, std::uint32_t count) {
   constants_.firstPixel = static_cast<gpu::uint>(first);
-  if (centerOnly_) {
+  if (takesCenters_) {
     counts_.samples += count;
     return count;
   }
   const std::span items(reinterpret_cast<gpu::WorkItem*>(buffers_[gpu::kBindingWork].bytes()), count);
-  makeItems(first, items);
-  places_.clear();
+  copyItems(pass, first, items);
+  traced_.clear();
   std::uint32_t traced = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (skips(items[i].pixel)) {
@@ -171,17 +122,17 @@ std::uint32_t Tracer::makePiece(std::uint64_t first, std::uint32_t count, const 
       continue;
     }
     counts_.samples += items[i].count;
-    if (skipsTiles_) places_.push_back(i);
+    if (variant_.skipsEmptyTiles) traced_.push_back(i);
     items[traced++] = items[i];
   }
   return traced;
 }
 
-void Tracer::takePiece(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults) {
+void Tracer::takeBatch(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults) {
   const auto* results = reinterpret_cast<const gpu::WorkResult*>(buffers_[gpu::kBindingResults].bytes());
-  if (skipsTiles_) {
+  if (variant_.skipsEmptyTiles) {
     allResults_.assign(count, {});
-    for (const std::uint32_t place : places_) allResults_[place] = *results++;
+    for (const std::uint32_t item : traced_) allResults_[item] = *results++;
     results = allResults_.data();
   }
   takeResults(first, {results, count});
@@ -193,8 +144,8 @@ vulkan::ComputeShader Tracer::makeShader(bool resumable) {
     buffers_[gpu::kBindingStates] =
         vulkan::Buffer::shared(device_, "unfinished work", capacity_ * sizeof(gpu::WorkState));
   }
-  specialization_[gpu::kSpecResumable] = resumable ? 1 : 0;
-  return {device_, shader_, specialization_, buffers_, sizeof constants_};
+  variant_.specialization[gpu::kSpecResumable] = resumable ? 1 : 0;
+  return {device_, variant_.shader, variant_.specialization, buffers_, sizeof constants_};
 }
 
 gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode) {

@@ -5,9 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "bvh/flatten.hpp"
+#include "bvh/gpu_scene.hpp"
+#include "render/entry_nodes.hpp"
 #include "render/settings.hpp"
-#include "render/tile_starts.hpp"
+#include "render/variant.hpp"
+#include "sampling/sample_pass.hpp"
 #include "vulkan/compute.hpp"
 
 namespace lavaray {
@@ -15,68 +17,65 @@ namespace lavaray {
 struct TraceCounts {
   std::uint64_t dispatches = 0;
   std::uint64_t samples = 0;         // camera rays
-  std::uint64_t skippedSamples = 0;  // through tiles of the image in which there is nothing
+  std::uint64_t skippedSamples = 0;  // through tiles of the picture in which there is nothing
   // These are counted where the settings ask for it.
   std::uint64_t shadowRays = 0;
   std::uint64_t skippedShadowRays = 0;  // their light would add nothing, or nothing that shows
   std::uint64_t mirrorRays = 0;
 };
 
-// The SPIR-V that a render with these settings runs for a scene that has few primitives, or more.
-std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives);
-
-// A scene on a device, with the pipeline for what the scene has: it takes samples of pixels.
+// A scene on a device, with the pipeline for what the scene has: it takes samples of the pixels of an area of
+// the picture.
 class Tracer {
  public:
-  // `items` is how many a run has about; buffers are no larger than that asks for.
-  Tracer(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings,
+  // `items` is about how many a run has; buffers are no larger than that takes. Throws Error(kDevice) where
+  // the scene does not fit the device.
+  Tracer(vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings, const Rectangle& area,
          std::uint64_t items);
 
-  // Fills in, or takes the results of, work items that follow one another from number `first` on.
-  using MakeItems = std::function<void(std::uint64_t first, std::span<gpu::WorkItem> items)>;
+  // The results of work items that follow one another from number `first` on.
   using TakeResults = std::function<void(std::uint64_t first, std::span<const gpu::WorkResult> results)>;
   using Stop = std::function<bool()>;
 
-  // Does the work items first .. end - 1, in this order and in pieces of about a tenth of a second, for each
-  // of which it calls makeItems and takeResults. Looks at `stop` before each piece and returns false if it
-  // was stopped. With the sampling in the pixel's centre, item i is pixel i, and makeItems is not called.
-  // Throws Error(kDevice) where the device fails or cannot finish a ray.
-  bool run(std::uint64_t first, std::uint64_t end, const MakeItems& makeItems, const TakeResults& takeResults,
-           const Stop& stop);
+  // Does the items of the pass from number `first` on, in their order, in batches of about a tenth of a
+  // second each, and has their results taken. Looks at `stop` before each batch and returns false if it was
+  // stopped. With one sample in each pixel's centre, item i is pixel i. Throws Error(kDevice) where the
+  // device fails or cannot finish a ray.
+  bool run(const SamplePass& pass, std::uint64_t first, const TakeResults& takeResults, const Stop& stop);
 
   [[nodiscard]] const TraceCounts& counts() const { return counts_; }
-  // Whether nothing can be seen through a pixel of the crop, so that its samples are not traced.
+  // Whether nothing can be seen through a pixel of the area, so that its samples are not traced.
   [[nodiscard]] bool skips(std::uint64_t pixel) const {
-    return skipsTiles_ && isEmpty(starts_, static_cast<std::uint32_t>(pixel), constants_.cropWidth);
+    return variant_.skipsEmptyTiles &&
+           isEmpty(entryNodes_, static_cast<std::uint32_t>(pixel), constants_.cropWidth);
   }
   [[nodiscard]] std::uint64_t skippedPixels() const { return skippedPixels_; }
   // Bytes of the scene's arrays and of the work on the device.
   [[nodiscard]] std::size_t deviceBytes() const;
 
  private:
-  std::uint32_t makePiece(std::uint64_t first, std::uint32_t count, const MakeItems& makeItems);
-  void takePiece(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults);
+  std::uint32_t makeBatch(const SamplePass& pass, std::uint64_t first, std::uint32_t count);
+  void takeBatch(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults);
+  void adaptBatch(double seconds);
   void dispatchUntilFinished(std::uint32_t count);
   gpu::DispatchStatus dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode);
   vulkan::ComputeShader makeShader(bool resumable);
 
   vulkan::Device& device_;
-  bool centerOnly_;
-  TileStarts starts_;
-  bool skipsTiles_;  // those without a start
+  PipelineVariant variant_;
+  bool takesCenters_;
+  EntryNodes entryNodes_;
   std::uint64_t skippedPixels_ = 0;
   gpu::DispatchConstants constants_{};
-  std::uint32_t capacity_;                 // items of the largest piece
-  double pieceItems_;                      // of the next piece
-  bool isWarm_ = false;                    // after the first piece
-  std::vector<vulkan::Buffer> buffers_;    // by binding
-  std::span<const std::uint32_t> shader_;  // SPIR-V
-  std::vector<std::uint32_t> specialization_;
-  // One of them: the first, unless the scene has too many lights for it, until it gives an item up.
+  std::uint32_t capacity_;               // items of the largest batch
+  double batchItems_;                    // of the next batch
+  bool isWarm_ = false;                  // after the first batch
+  std::vector<vulkan::Buffer> buffers_;  // by binding
+  // One of them: the first, where the variant finishes items, until it gives one up.
   std::optional<vulkan::ComputeShader> direct_;
   std::optional<vulkan::ComputeShader> resumable_;
-  // Of a piece where tiles are skipped: the places of the items that are traced, and all results.
-  std::vector<std::uint32_t> places_;
+  // Of a batch where tiles are skipped: the numbers of the items that are traced, and all results.
+  std::vector<std::uint32_t> traced_;
   std::vector<gpu::WorkResult> allResults_;
   TraceCounts counts_;
 };

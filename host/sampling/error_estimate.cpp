@@ -10,22 +10,22 @@
 namespace lavaray {
 namespace {
 
-using convergence::fallStepOf;
+using convergence::rateStepOf;
 
-// Where nothing is known: a little slower than at edges, since a target that is passed is worse than one
-// undercut.
-constexpr int kUsualFallStep = fallStepOf(1.25);
-constexpr int kIndependentFallStep = fallStepOf(1.0);
-constexpr int kSmoothFallStep = fallStepOf(3.0);
+// Where nothing is known: a little slower than at edges, since overshooting the target is worse than
+// undershooting it.
+constexpr int kUsualRateStep = rateStepOf(1.25);
+constexpr int kIndependentRateStep = rateStepOf(1.0);
+constexpr int kSmoothRateStep = rateStepOf(3.0);
 // An edge that all n samples have missed is shorter the more they are; see unseenEdge.
-constexpr int kUnseenFallStep = fallStepOf(2.0);
-// The usual fall counts as much as so many pixels in which another one is met.
-constexpr float kUsualFallPixels = 2.0F;
+constexpr int kUnseenRateStep = rateStepOf(2.0);
+// The usual rate counts as much as this many pixels in which another one is observed.
+constexpr float kUsualRatePixels = 2.0F;
 
-// Pixels to each side of a pixel that say how errors fall there.
+// Pixels to each side of a pixel that tell the rate there.
 constexpr int kReach = 2;
 // On a slope of shading that runs straight through pixels, two neighbours' squared contrast is at most so
-// many times the variance within one: 12 across the pixels' sides, and as much again for what chance does.
+// many times the variance within one: 12 across the pixels' sides, and as much again for chance.
 constexpr float kSlopeContrast = 24.0F;
 // The edge that crosses a neighbour explains their contrast, unless it covers more than three quarters of it
 // and so comes near: p^2 > 3 p (1 - p) where p > 3/4.
@@ -34,8 +34,8 @@ constexpr float kNeighbourContrast = 3.0F;
 // shares and is not above the second; the rest is left to chance.
 constexpr float kSmoothShare = 0.35F;
 constexpr float kRoughShare = 0.7F;
-// Of the pixels that differ from a neighbour, how many have an edge that was missed. Measured: higher and the
-// target is undercut for nothing, lower and it is passed.
+// Of the pixels that differ from a neighbour, how many have an edge that was missed. Measured: a higher
+// share undershoots the target for nothing, a lower one overshoots it.
 constexpr float kUnseenShare = 0.05F;
 
 template <typename Vector>
@@ -127,22 +127,22 @@ ErrorEstimate::Statistics ErrorEstimate::statistics(const HalfSums& sums) {
           static_cast<int>(std::bit_width(all.samples())) - 1};
 }
 
-// How errors fall where nothing is known but that few samples have this variance. If a straight slope
-// explains it, all is smooth.
-int ErrorEstimate::usualFallStep(int x, int y, float variance) const {
-  if (x == 0 || y == 0 || x == width_ - 1 || y == height_ - 1) return kUsualFallStep;
+// The convergence rate where nothing is known except that few samples have this variance. If a straight
+// slope explains the variance, the shading is smooth.
+int ErrorEstimate::usualRateStep(int x, int y, float variance) const {
+  if (x == 0 || y == 0 || x == width_ - 1 || y == height_ - 1) return kUsualRateStep;
   const Statistics* own = &statistics_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + x];
   const auto slope = [own](int step) {
     return meanSquare(lesserSlope(own->mean - own[-step].mean, own[step].mean - own->mean));
   };
   const float squaredSlope = slope(1) + slope(width_);
   const float share = (kRoughShare * squaredSlope - variance) / ((kRoughShare - kSmoothShare) * squaredSlope);
-  if (!(share > 0.0F)) return kUsualFallStep;
-  constexpr auto kSteps = static_cast<float>(kSmoothFallStep - kUsualFallStep);
-  return kUsualFallStep + static_cast<int>(std::min(share, 1.0F) * kSteps + 0.5F);
+  if (!(share > 0.0F)) return kUsualRateStep;
+  constexpr auto kSteps = static_cast<float>(kSmoothRateStep - kUsualRateStep);
+  return kUsualRateStep + static_cast<int>(std::min(share, 1.0F) * kSteps + 0.5F);
 }
 
-int ErrorEstimate::fallStepAround(int x, int y, int usualFallStep) const {
+int ErrorEstimate::rateStepAround(int x, int y, int usualRateStep) const {
   float differences = 0.0F;
   float variances = 0.0F;
   float squaredVariances = 0.0F;
@@ -158,18 +158,18 @@ int ErrorEstimate::fallStepAround(int x, int y, int usualFallStep) const {
   }
   // Two samples' difference is their variance.
   const float step = steps / variances;
-  if (!(step >= 1.25F)) return usualFallStep;
-  // As if a few more pixels had been met where errors fall as usual; pixels without variance do not count.
+  if (!(step >= 1.25F)) return usualRateStep;
+  // As if a few more pixels of the usual rate had been observed; pixels without variance do not count.
   const float count = variances * variances / squaredVariances;
-  const float usual = convergence::squaredDifference(usualFallStep, step);
-  const float met = (count * differences / variances + kUsualFallPixels * usual) / (count + kUsualFallPixels);
-  int fallStep = 0;
-  while (fallStep < kSmoothFallStep &&
-         convergence::squaredDifference(fallStep, step) + convergence::squaredDifference(fallStep + 1, step) >
+  const float usual = convergence::squaredDifference(usualRateStep, step);
+  const float met = (count * differences / variances + kUsualRatePixels * usual) / (count + kUsualRatePixels);
+  int rateStep = 0;
+  while (rateStep < kSmoothRateStep &&
+         convergence::squaredDifference(rateStep, step) + convergence::squaredDifference(rateStep + 1, step) >
              2.0F * met) {
-    ++fallStep;
+    ++rateStep;
   }
-  return fallStep;
+  return rateStep;
 }
 
 PixelClass ErrorEstimate::classOf(int x, int y) const {
@@ -190,13 +190,13 @@ PixelClass ErrorEstimate::classOf(int x, int y) const {
   }
   variance /= weights;
   unexplained -= kSlopeContrast * own.variance;
-  int fallStep = isStratified_ ? kUsualFallStep : kIndependentFallStep;
-  if (isStratified_ && variance * convergence::squaredError(fallStep, own.sampleStep) > negligible_)
-    fallStep = fallStepAround(x, y, usualFallStep(x, y, variance));
-  const float seen = variance * convergence::squaredError(fallStep, own.sampleStep);
+  int rateStep = isStratified_ ? kUsualRateStep : kIndependentRateStep;
+  if (isStratified_ && variance * convergence::squaredError(rateStep, own.sampleStep) > negligible_)
+    rateStep = rateStepAround(x, y, usualRateStep(x, y, variance));
+  const float seen = variance * convergence::squaredError(rateStep, own.sampleStep);
   const float unseen = unexplained > 0.0F ? unseenEdge(unexplained, n) : 0.0F;
-  return seen >= unseen ? PixelClass(seen, fallStep, own.sampleStep)
-                        : PixelClass(unseen, kUnseenFallStep, own.sampleStep);
+  return seen >= unseen ? PixelClass(seen, rateStep, own.sampleStep)
+                        : PixelClass(unseen, kUnseenRateStep, own.sampleStep);
 }
 
 }  // namespace lavaray

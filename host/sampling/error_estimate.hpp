@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "sampling/pixel_sum.hpp"
-#include "sampling/sample_plan.hpp"
+#include "sampling/sample_allocation.hpp"
 
 namespace lavaray {
 
@@ -48,8 +48,8 @@ class ErrorEstimate {
 
   [[nodiscard]] static Statistics statistics(const HalfSums& sums);
   [[nodiscard]] PixelClass classOf(int x, int y) const;
-  [[nodiscard]] int usualFallStep(int x, int y, float variance) const;
-  [[nodiscard]] int fallStepAround(int x, int y, int usualFallStep) const;
+  [[nodiscard]] int usualRateStep(int x, int y, float variance) const;
+  [[nodiscard]] int rateStepAround(int x, int y, int usualRateStep) const;
   void updateRow(int y);
 
   int width_;

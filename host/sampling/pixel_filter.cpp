@@ -62,7 +62,7 @@ std::string pixelFilterName(PixelFilter filter) {
   return "box";
 }
 
-double filterReach(PixelFilter filter) {
+double filterRadius(PixelFilter filter) {
   return shapeOf(filter).radius;
 }
 

@@ -19,8 +19,8 @@ inline constexpr const char* kPixelFilterNames = "box, tent, gaussian, blackman-
 std::optional<PixelFilter> pixelFilter(const std::string& name);
 std::string pixelFilterName(PixelFilter filter);
 
-// The farthest offset from the pixel's centre, in pixels.
-double filterReach(PixelFilter filter);
+// The largest offset from the pixel's centre, in pixels.
+double filterRadius(PixelFilter filter);
 
 // The inverse of the filter's distribution function in one dimension: entry i is the offset from the centre,
 // in pixels, that a share i / (size - 1) of the filter lies below. Empty for the box, whose inverse is

@@ -6,11 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "bvh/flatten.hpp"
 #include "device/counting_traversal.hpp"
 #include "device/render_scene.hpp"
 #include "device/sampled_image.hpp"
 #include "device/test_device.hpp"
-#include "render/tile_starts.hpp"
+#include "render/entry_nodes.hpp"
 #include "support/random_numbers.hpp"
 
 namespace lavaray {
@@ -187,17 +188,16 @@ TEST(Cost, IsThatOfASearchOnTheHost) {
   const Scene scene = manyBalls();
   const GpuScene flat = flatten(scene, 2);
   RenderSettings settings = costSettings();
-  const TileStarts starts = tileStarts(flat, scene.camera, settings);
-  const auto tileStart = [&](int x, int y) {
-    const auto column = static_cast<std::uint32_t>(x) >> starts.shift;
-    const auto row = static_cast<std::uint32_t>(y) >> starts.shift;
-    return starts.groups[std::size_t{row} * starts.across + column];
+  const EntryNodes nodes = entryNodes(flat, settings, settings.crop);
+  const auto entryGroup = [&](int x, int y) {
+    const auto column = static_cast<std::uint32_t>(x) >> nodes.shift;
+    const auto row = static_cast<std::uint32_t>(y) >> nodes.shift;
+    return nodes.groups[std::size_t{row} * nodes.across + column];
   };
   const auto root = [](int, int) { return gpu::kRootGroup; };
-  const double fromTiles =
-      expectTestsOfHost(flat, render(testDevice(), flat, scene.camera, settings), tileStart);
+  const double fromTiles = expectTestsOfHost(flat, render(testDevice(), flat, settings), entryGroup);
   settings.specialized = false;
-  const double fromRoot = expectTestsOfHost(flat, render(testDevice(), flat, scene.camera, settings), root);
+  const double fromRoot = expectTestsOfHost(flat, render(testDevice(), flat, settings), root);
   EXPECT_LT(fromTiles, 0.99 * fromRoot);
 }
 

@@ -15,8 +15,9 @@
 #include "device/test_device.hpp"
 #include "render/small_objects.hpp"
 #include "render/tracer.hpp"
-#include "sampling/adaptive.hpp"
+#include "sampling/adaptive_plan.hpp"
 #include "sampling/pixel_sum.hpp"
+#include "sampling/sample_sums.hpp"
 
 namespace lavaray {
 namespace {
@@ -38,14 +39,8 @@ TEST(Determinism, SampledImagesAreTheSameTwiceAndInParts) {
   }
 }
 
-Tracer::MakeItems copyFrom(const std::vector<gpu::WorkItem>& all) {
-  return [&](std::uint64_t first, std::span<gpu::WorkItem> items) {
-    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), items.size(), items.begin());
-  };
-}
-
-// The renderer's pieces grow and shrink with the time that they take, so no image may depend on them.
-TEST(Determinism, PiecesOfAnySizeInAnyOrderMakeTheSameImage) {
+// The renderer's batches grow and shrink with the time that they take, so no image may depend on them.
+TEST(Determinism, BatchesOfAnySizeInAnyOrderMakeTheSameImage) {
   const Scene scene = readNamed("extensions");
   constexpr std::uint32_t kSamples = 70;
   RenderSettings settings = settingsFor(reducedSize(scene.camera, 120), kSamples);
@@ -59,12 +54,12 @@ TEST(Determinism, PiecesOfAnySizeInAnyOrderMakeTheSameImage) {
   }
   const GpuScene gpuScene = flatten(scene, 1);
   std::mt19937 random(1);
-  for (const std::uint64_t largestPiece : {97U, 1000U, 1U << 20U}) {
+  for (const std::uint64_t largestBatch : {97U, 1000U, 1U << 20U}) {
     std::shuffle(items.begin(), items.end(), random);
     std::vector<PixelSum> sums(image.rgb.size() / 3);
-    Tracer tracer(testDevice(), gpuScene, scene.camera, settings, largestPiece);
+    Tracer tracer(testDevice(), gpuScene, settings, settings.crop, largestBatch);
     tracer.run(
-        0, items.size(), copyFrom(items),
+        listedPass(items), 0,
         [&](std::uint64_t first, std::span<const gpu::WorkResult> results) {
           for (const gpu::WorkResult& result : results) {
             const gpu::WorkItem& item = items[first++];
@@ -107,32 +102,33 @@ RenderSettings adaptiveSettings(const Scene& scene) {
   return settings;
 }
 
-// What the renderer does for a target error, but with pieces and an order of its own.
-Image renderToTarget(const Scene& scene, const RenderSettings& settings, std::uint64_t largestPiece) {
+// What the renderer does for a target error, but with batches and an order of its own.
+Image renderToTarget(const Scene& scene, const RenderSettings& settings, std::uint64_t largestBatch) {
   const GpuScene gpuScene = flatten(scene, 1);
   const auto [width, height] = settings.size;
-  AdaptiveSampling adaptive(width, height, *settings.targetError, settings.maxSamples, true,
-                            pixelsOfSmallObjects(gpuScene, scene.camera, settings));
-  Tracer tracer(testDevice(), gpuScene, scene.camera, settings, largestPiece);
+  const std::uint64_t pixels = settings.crop.pixels();
+  AdaptivePlan plan(settings.size, {*settings.targetError, settings.maxSamples, true},
+                    pixelsOfSmallObjects(gpuScene, settings));
+  SampleSums sums(SumKind::kHalves, pixels);
+  Tracer tracer(testDevice(), gpuScene, settings, settings.crop, largestBatch);
   std::mt19937 random(5);
-  for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-    std::shuffle(items.begin(), items.end(), random);
+  for (SamplePass pass = plan.nextPass(sums.halves()); pass.items > 0; pass = plan.nextPass(sums.halves())) {
+    std::shuffle(pass.list.begin(), pass.list.end(), random);
     tracer.run(
-        0, items.size(), copyFrom(items),
+        pass, 0,
         [&](std::uint64_t first, std::span<const gpu::WorkResult> results) {
-          for (const gpu::WorkResult& result : results) adaptive.add(items[first++], result);
+          sums.add(pass, first, results);
         },
         [] { return false; });
   }
+  std::vector<glm::vec3> means(pixels);
+  sums.copyMeans(0, means);
   Image image{width, height, {}};
-  for (std::uint64_t pixel = 0; pixel < static_cast<std::uint64_t>(width) * height; ++pixel) {
-    const glm::vec3 mean(adaptive.mean(pixel));
-    image.rgb.insert(image.rgb.end(), {mean.r, mean.g, mean.b});
-  }
+  for (const glm::vec3& mean : means) image.rgb.insert(image.rgb.end(), {mean.r, mean.g, mean.b});
   return image;
 }
 
-TEST(Determinism, AdaptiveImagesAreTheSameTwiceAndFromPiecesOfAnySize) {
+TEST(Determinism, AdaptiveImagesAreTheSameTwiceAndFromBatchesOfAnySize) {
   const Scene scene = readNamed("extensions");
   RenderSettings settings = adaptiveSettings(scene);
   const Image image = renderScene(scene, settings).image;
@@ -155,7 +151,7 @@ AdaptiveImage renderWithSamples(const Scene& scene, RenderSettings settings) {
   const RenderResult counts = renderScene(scene, settings);
   for (std::size_t i = 0; i < counts.image.rgb.size(); i += 3) {
     result.samples.push_back(
-        static_cast<std::uint32_t>(std::lround(double{counts.image.rgb[i]} * counts.mostSamples)));
+        static_cast<std::uint32_t>(std::lround(double{counts.image.rgb[i]} * counts.maxSamples)));
   }
   return result;
 }

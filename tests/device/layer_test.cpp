@@ -1,5 +1,6 @@
 // What the layers of a picture hold, against closed forms.
 #include "render/layer.hpp"
+#include "bvh/flatten.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ std::vector<float> traced(const Scene& scene, Layer layer, const Rectangle& part
   settings.crop = part;
   std::vector<float> values;
   const bool isWhole = traceLayer(
-      testDevice(), flatten(scene, 2), frameOf(scene).scale, scene.camera, settings, layer,
+      testDevice(), flatten(scene, 2), settings, layer,
       [&](std::span<const float> some) { values.insert(values.end(), some.begin(), some.end()); },
       [](double) { return true; });
   EXPECT_TRUE(isWhole);
@@ -103,8 +104,8 @@ TEST(Layer, CanBeStopped) {
   RenderSettings settings = settingsFor({kSide, kSide}, 1);
   settings.crop = {0, 0, kSide, kSide};
   EXPECT_FALSE(traceLayer(
-      testDevice(), flatten(scene, 2), 1.0, scene.camera, settings, Layer::kDepth,
-      [](std::span<const float>) {}, [](double) { return false; }));
+      testDevice(), flatten(scene, 2), settings, Layer::kDepth, [](std::span<const float>) {},
+      [](double) { return false; }));
 }
 
 }  // namespace

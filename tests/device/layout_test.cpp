@@ -9,6 +9,7 @@
 #include "device/test_device.hpp"
 #include "layoutProbeSpirv.spv.h"
 #include "render/scene_buffers.hpp"
+#include "render/variant.hpp"
 #include "vulkan/compute.hpp"
 
 namespace lavaray {

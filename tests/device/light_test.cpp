@@ -18,6 +18,7 @@
 #include "device/test_device.hpp"
 #include "lightProbeSpirv.spv.h"
 #include "render/scene_buffers.hpp"
+#include "render/variant.hpp"
 #include "vulkan/compute.hpp"
 
 namespace lavaray {

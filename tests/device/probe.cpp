@@ -3,6 +3,7 @@
 #include "device/shaders/probe.h"
 #include "device/test_device.hpp"
 #include "render/scene_buffers.hpp"
+#include "render/variant.hpp"
 #include "vulkan/compute.hpp"
 
 namespace lavaray {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bvh/flatten.hpp"
 #include "device/test_device.hpp"
 
 namespace lavaray {
@@ -20,7 +21,7 @@ RenderResult renderScene(const Scene& scene, RenderSettings settings) {
 
 RenderResult renderScene(vulkan::Device& device, const Scene& scene, RenderSettings settings) {
   settings.countRays = true;
-  return render(device, flatten(scene, 2), scene.camera, settings);
+  return render(device, flatten(scene, 2), settings);
 }
 
 ImageSize reducedSize(const Camera& camera, int longest) {

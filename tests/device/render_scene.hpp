@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "image/image.hpp"
-#include "render/renderer.hpp"
+#include "render/render.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 

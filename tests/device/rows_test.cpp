@@ -5,6 +5,7 @@
 #include <iostream>
 #include <vector>
 
+#include "bvh/flatten.hpp"
 #include "device/render_scene.hpp"
 #include "device/sampled_image.hpp"
 #include "device/test_device.hpp"
@@ -23,7 +24,7 @@ struct Rows {
 Rows rowsOf(const Scene& scene, RenderSettings settings, int pieces) {
   settings.keepsPicture = false;
   const GpuScene gpuScene = flatten(scene, 2);
-  Render render(testDevice(), gpuScene, scene.camera, settings);
+  Render render(testDevice(), gpuScene, settings);
   Rows rows;
   const TakeRow take = [&](std::span<const float> row) {
     rows.all.insert(rows.all.end(), row.begin(), row.end());

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "bvh/flatten.hpp"
 #include "device/trace_rays.hpp"
 #include "support/scene_building.hpp"
 

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "bvh/flatten.hpp"
 #include "stress/frame.hpp"
 #include "stress/report.hpp"
 #include "stress/surface_probe.hpp"

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/errors.hpp"
+#include "bvh/flatten.hpp"
 #include "device/probe.hpp"
 #include "device/render_scene.hpp"
 #include "pathProbeSpirv.spv.h"

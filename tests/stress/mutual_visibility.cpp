@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
+#include "bvh/flatten.hpp"
 #include "device/probe.hpp"
 #include "stress/report.hpp"
 #include "stress/shaders/stress_probes.h"

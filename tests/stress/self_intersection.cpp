@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "bvh/flatten.hpp"
 #include "stress/report.hpp"
 #include "stress/surface_probe.hpp"
 

@@ -42,7 +42,7 @@ FilmHeader headerOf(const Rectangle& crop, const SampleRange& range) {
   FilmHeader header;
   header.identity = {{"scene", "abc"}, {"--spp", std::to_string(kSamples)}};
   header.device = "a device";
-  header.kind = FilmKind::kFixed;
+  header.kind = SumKind::kMean;
   header.size = kSize;
   header.crop = crop;
   header.traced = crop;

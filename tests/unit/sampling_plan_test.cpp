@@ -6,11 +6,12 @@
 #include <iostream>
 #include <random>
 
-#include "sampling/adaptive.hpp"
+#include "sampling/adaptive_plan.hpp"
 #include "sampling/convergence.hpp"
 #include "sampling/error_estimate.hpp"
 #include "sampling/pixel_sum.hpp"
-#include "sampling/sample_plan.hpp"
+#include "sampling/sample_allocation.hpp"
+#include "sampling/sample_sums.hpp"
 
 namespace lavaray {
 namespace {
@@ -19,7 +20,7 @@ TEST(PixelClass, KeepsWhatItIsMadeOf) {
   for (double squaredError = 0x1p-59; squaredError < 1.0; squaredError *= 1.07) {
     const PixelClass pixel(static_cast<float>(squaredError), 5, 7);
     EXPECT_NEAR(pixel.squaredError(), squaredError, 0.126 * squaredError);
-    EXPECT_EQ(pixel.fallStep(), 5);
+    EXPECT_EQ(pixel.rateStep(), 5);
     EXPECT_EQ(pixel.sampleStep(), 7);
     EXPECT_EQ(PixelClass(pixel.index()).squaredError(), pixel.squaredError());
   }
@@ -29,34 +30,34 @@ TEST(PixelClass, KeepsWhatItIsMadeOf) {
 }
 
 double squaredErrorAfter(const PixelClass& pixel, int growth) {
-  return pixel.squaredError() * std::exp2(-convergence::fallAt(pixel.fallStep()) * growth);
+  return pixel.squaredError() * std::exp2(-convergence::rateAt(pixel.rateStep()) * growth);
 }
 
 // Against all other plans for five pixels: none reaches the goal with fewer samples.
-TEST(SamplePlan, TakesTheFewestSamples) {
-  constexpr int kMostGrowth = 5;
+TEST(SampleAllocation, TakesTheFewestSamples) {
+  constexpr int kMaxGrowth = 5;
   const std::vector<PixelClass> pixels = {PixelClass(0.05F, 2, 1), PixelClass(0.01F, 8, 1),
                                           PixelClass(0.02F, 0, 2), PixelClass(0.0005F, 2, 4),
                                           PixelClass(0.0F, 2, 1)};
   int plans = 0;
   for (double goal = 0.008; goal > 0.0005; goal *= 0.8) {
-    const SamplePlan plan(pixels, goal, 20);
+    const SampleAllocation plan(pixels, goal, 20);
     double error = 0.0;
     double samples = 0.0;
     for (const PixelClass& pixel : pixels) {
-      EXPECT_LE(plan.growth(pixel), kMostGrowth);
+      EXPECT_LE(plan.growth(pixel), kMaxGrowth);
       error += squaredErrorAfter(pixel, plan.growth(pixel)) / 5.0;
       samples += std::exp2(pixel.sampleStep() + plan.growth(pixel));
     }
     EXPECT_LE(error, goal);
     EXPECT_EQ(plan.samples(), samples);
     double fewest = samples;
-    for (int code = 0; code < std::pow(kMostGrowth + 1, 4); ++code) {
+    for (int code = 0; code < std::pow(kMaxGrowth + 1, 4); ++code) {
       double otherError = 0.0;
       double otherSamples = std::exp2(pixels[4].sampleStep());
-      for (int i = 0, rest = code; i < 4; ++i, rest /= kMostGrowth + 1) {
-        otherError += squaredErrorAfter(pixels[i], rest % (kMostGrowth + 1)) / 5.0;
-        otherSamples += std::exp2(pixels[i].sampleStep() + rest % (kMostGrowth + 1));
+      for (int i = 0, rest = code; i < 4; ++i, rest /= kMaxGrowth + 1) {
+        otherError += squaredErrorAfter(pixels[i], rest % (kMaxGrowth + 1)) / 5.0;
+        otherSamples += std::exp2(pixels[i].sampleStep() + rest % (kMaxGrowth + 1));
       }
       if (otherError <= goal) fewest = std::min(fewest, otherSamples);
     }
@@ -67,14 +68,14 @@ TEST(SamplePlan, TakesTheFewestSamples) {
   EXPECT_GE(plans, 5);
 }
 
-TEST(SamplePlan, DoesNothingAtItsGoalAndNoMoreThanAllowed) {
+TEST(SampleAllocation, DoesNothingAtItsGoalAndNoMoreThanAllowed) {
   const std::vector<PixelClass> pixels(10, PixelClass(0.01F, 2, 3));
-  const SamplePlan idle(pixels, 0.02, 20);
+  const SampleAllocation idle(pixels, 0.02, 20);
   EXPECT_EQ(idle.growth(pixels[0]), 0);
   EXPECT_EQ(idle.samples(), 80.0);
   EXPECT_NEAR(idle.squaredError(), 0.01, 0.00126);
-  EXPECT_EQ(SamplePlan(pixels, 1e-9, 5).growth(pixels[0]), 2);
-  EXPECT_EQ(SamplePlan(pixels, 1e-9, 2).growth(pixels[0]), 0);
+  EXPECT_EQ(SampleAllocation(pixels, 1e-9, 5).growth(pixels[0]), 2);
+  EXPECT_EQ(SampleAllocation(pixels, 1e-9, 2).growth(pixels[0]), 0);
 }
 
 gpu::WorkResult blackOrWhite(const gpu::WorkItem& item, double probabilityOfWhite, std::mt19937& random) {
@@ -212,25 +213,44 @@ TEST(ErrorEstimate, IsTheErrorAtEdgesOnShadingAndOfIndependentSamples) {
   }
 }
 
-TEST(AdaptiveSampling, HonoursItsTargetAndSpendsOnEdges) {
+// Takes the samples of all passes of the plan; returns how many passes there were.
+template <typename Take>
+std::size_t takeAll(AdaptivePlan& plan, SampleSums& sums, const Take& take) {
+  std::size_t passes = 0;
+  for (SamplePass pass = plan.nextPass(sums.halves()); pass.items > 0; pass = plan.nextPass(sums.halves())) {
+    std::vector<gpu::WorkResult> results;
+    for (const gpu::WorkItem& item : pass.list) results.push_back(take(item));
+    sums.add(pass, 0, results);
+    ++passes;
+  }
+  return passes;
+}
+
+glm::vec3 meanOf(const SampleSums& sums, std::uint64_t pixel) {
+  glm::vec3 mean;
+  sums.copyMeans(pixel, {&mean, 1});
+  return mean;
+}
+
+TEST(AdaptivePlan, HonoursItsTargetAndSpendsOnEdges) {
   constexpr int kWidth = 200;
   constexpr int kHeight = 100;
   for (const bool isStratified : {true, false}) {
     for (const double target : {0.02, 0.01, 0.005}) {
       const EdgeImage image(kWidth, kHeight, 1);
       std::mt19937 random(2);
-      AdaptiveSampling adaptive(kWidth, kHeight, target, 1U << 20U, isStratified, {});
-      for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-        for (const gpu::WorkItem& item : items)
-          adaptive.add(item, isStratified ? image.stratified(item) : image.independent(item, random));
-      }
-      EXPECT_TRUE(adaptive.reachedTarget());
+      AdaptivePlan plan({kWidth, kHeight}, {target, 1U << 20U, isStratified}, {});
+      SampleSums sums(SumKind::kHalves, std::uint64_t{kWidth} * kHeight);
+      takeAll(plan, sums, [&](const gpu::WorkItem& item) {
+        return isStratified ? image.stratified(item) : image.independent(item, random);
+      });
+      EXPECT_TRUE(plan.reachedTarget());
       double squares = 0.0;
       std::uint64_t onEdges = 0;
       std::uint64_t all = 0;
       for (std::size_t pixel = 0; pixel < kWidth * kHeight; ++pixel) {
-        squares += std::pow(adaptive.mean(pixel).r - image.truth(pixel), 2.0);
-        const std::uint64_t added = adaptive.samples(pixel) - 2;  // to those that all have
+        squares += std::pow(meanOf(sums, pixel).r - image.truth(pixel), 2.0);
+        const std::uint64_t added = sums.samples(pixel) - 2;  // to those that all have
         all += added;
         // Every tenth column is beside a step from 0 to 1 or has an edge.
         const auto x = pixel % kWidth % 10;
@@ -244,30 +264,26 @@ TEST(AdaptiveSampling, HonoursItsTargetAndSpendsOnEdges) {
   }
 }
 
-TEST(AdaptiveSampling, LeavesAPlainImageAlone) {
-  AdaptiveSampling adaptive(50, 40, 0.01, 1024, true, {});
-  std::size_t passes = 0;
-  for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-    for (const gpu::WorkItem& item : items) {
-      const auto count = static_cast<float>(item.count);
-      adaptive.add(item, {glm::vec3(0.25F * count), 0.0625F * count});
-    }
-    ++passes;
-  }
+TEST(AdaptivePlan, LeavesAPlainImageAlone) {
+  AdaptivePlan plan({50, 40}, {0.01, 1024, true}, {});
+  SampleSums sums(SumKind::kHalves, 50 * 40);
+  const std::size_t passes = takeAll(plan, sums, [](const gpu::WorkItem& item) {
+    const auto count = static_cast<float>(item.count);
+    return gpu::WorkResult{glm::vec3(0.25F * count), 0.0625F * count};
+  });
   EXPECT_EQ(passes, 1U);
-  EXPECT_TRUE(adaptive.reachedTarget());
-  EXPECT_LE(adaptive.samples(0), 4U);
-  EXPECT_EQ(adaptive.mean(7), glm::dvec3(0.25));
+  EXPECT_TRUE(plan.reachedTarget());
+  EXPECT_LE(sums.samples(0), 4U);
+  EXPECT_EQ(meanOf(sums, 7), glm::vec3(0.25F));
 }
 
-TEST(AdaptiveSampling, StopsAtTheMostSamplesAllowed) {
-  AdaptiveSampling adaptive(20, 20, 1e-4, 64, false, {});
+TEST(AdaptivePlan, StopsAtTheMostSamplesAllowed) {
+  AdaptivePlan plan({20, 20}, {1e-4, 64, false}, {});
+  SampleSums sums(SumKind::kHalves, 20 * 20);
   std::mt19937 random(3);
-  for (auto items = adaptive.nextItems(); !items.empty(); items = adaptive.nextItems()) {
-    for (const gpu::WorkItem& item : items) adaptive.add(item, blackOrWhite(item, 0.5, random));
-  }
-  EXPECT_FALSE(adaptive.reachedTarget());
-  for (std::size_t pixel = 0; pixel < 400; ++pixel) EXPECT_LE(adaptive.samples(pixel), 64U);
+  takeAll(plan, sums, [&](const gpu::WorkItem& item) { return blackOrWhite(item, 0.5, random); });
+  EXPECT_FALSE(plan.reachedTarget());
+  EXPECT_EQ(sums.maxSamples(), 64U);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "device_tracer.hpp"
 
 #include "render/scene_buffers.hpp"
+#include "render/variant.hpp"
 #include "secondaryRaysSpirv.spv.h"
 #include "traceBatchSpirv.spv.h"
 

@@ -13,14 +13,15 @@
 namespace lavaray::bench {
 namespace {
 
-Batch cameraRays(const Camera& camera, const ImageSize& size) {
+Batch cameraRays(const ImagePlane& plane, const ImageSize& size) {
   Batch batch{"camera", false, true, {}};
-  const glm::vec2 half = 0.5F * glm::vec2(size.width, size.height);
+  const glm::vec2 half = plane.size / 2.0;
+  const glm::vec2 pixelSize = plane.size / glm::dvec2(size.width, size.height);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      const glm::vec2 position = glm::vec2(x, y) + 0.5F;
+      const glm::vec2 position = (glm::vec2(x, y) + 0.5F) * pixelSize;
       const glm::vec3 direction(position.x - half.x, half.y - position.y,
-                                -static_cast<float>(camera.focalLength));
+                                -static_cast<float>(plane.distance));
       batch.rays.push_back({glm::vec3(0.0F), INFINITY, direction, 0xFFFFFFFFU});
     }
   }
@@ -76,7 +77,7 @@ std::size_t differingPixels(const std::vector<float>& a, const std::vector<float
   return differing;
 }
 
-PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, const Scene& scene, Peer* peer,
+PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, Peer* peer,
                              const Options& options) {
   const ImageSize size = options.size;
   const std::uint64_t pixels =
@@ -84,7 +85,7 @@ PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, c
   RenderSettings settings;
   settings.size = size;
   settings.crop = {0, 0, size.width, size.height};
-  Tracer tracer(device, gpuScene, scene.camera, settings, pixels);
+  Tracer tracer(device, gpuScene, settings, settings.crop, pixels);
   std::vector<float> rgb(3 * pixels);
   std::vector<float> peerRgb(3 * pixels);
   const auto take = [&](std::uint64_t first, std::span<const gpu::WorkResult> results) {
@@ -92,7 +93,9 @@ PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, c
     for (const gpu::WorkResult& result : results) value = std::copy_n(&result.sum.x, 3, value);
   };
   std::vector<Contestant> contestants{
-      {"lavaray", [&] { tracer.run(0, pixels, {}, take, [] { return false; }); }}};
+      {"lavaray", [&] {
+         tracer.run(uniformPass(pixels, {0, 1}), 0, take, [] { return false; });
+       }}};
   if (peer != nullptr) {
     for (const Peer::Variant& variant : peer->variants()) {
       if (variant.usesPackets) continue;
@@ -135,7 +138,7 @@ SceneResult measureScene(vulkan::Device& device, const BenchScene& scene, const 
   {
     DeviceTracer tracer(device, gpuScene);
     result.bytes = tracer.sceneBytes();
-    PictureBatches batches = tracer.follow(cameraRays(scene.scene.camera, options.size));
+    PictureBatches batches = tracer.follow(cameraRays(gpuScene.imagePlane, options.size));
     result.picture.rays = batches.camera.rays.size() + batches.shadow.rays.size();
     // From a sphere's own surface Embree sees the sphere's far side, lavaray does not: that is not the same
     // work.
@@ -149,7 +152,7 @@ SceneResult measureScene(vulkan::Device& device, const BenchScene& scene, const 
   }
   tell("the picture");
   const std::size_t rays = result.picture.rays;
-  result.picture = measurePicture(device, gpuScene, scene.scene, peer.get(), options);
+  result.picture = measurePicture(device, gpuScene, peer.get(), options);
   result.picture.rays = rays;
   tell("building, in turns");
   result.builds = measureBuilds(scene.scene, peer.get(), options);

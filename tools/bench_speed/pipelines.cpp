@@ -27,17 +27,17 @@ constexpr const char* kUsage =
 
 struct Pipeline {
   const GpuScene& gpuScene;
-  const Scene& scene;
   RenderSettings settings;
 };
 
 Tracer makeTracer(vulkan::Device& device, const Pipeline& pipeline, std::uint64_t items) {
-  return {device, pipeline.gpuScene, pipeline.scene.camera, pipeline.settings, items};
+  return {device, pipeline.gpuScene, pipeline.settings, pipeline.settings.crop, items};
 }
 
 void trace(Tracer& tracer, std::uint64_t pixels) {
   tracer.run(
-      0, pixels, {}, [](std::uint64_t, std::span<const gpu::WorkResult>) {}, [] { return false; });
+      uniformPass(pixels, {0, 1}), 0, [](std::uint64_t, std::span<const gpu::WorkResult>) {},
+      [] { return false; });
 }
 
 // Milliseconds by the clock until the first pixel, and of processor time for a picture; the minimum of the
@@ -48,12 +48,12 @@ void measureScene(vulkan::Device& device, const std::string& file, int rounds) {
   RenderSettings settings;
   settings.size = imageSize(scene.camera).value();
   settings.crop = {0, 0, settings.size.width, settings.size.height};
-  const Pipeline specialized{gpuScene, scene, settings};
+  const Pipeline specialized{gpuScene, settings};
   settings.specialized = false;
-  const Pipeline general{gpuScene, scene, settings};
+  const Pipeline general{gpuScene, settings};
   settings.specialized = true;
   settings.sceneInStorage = true;
-  const Pipeline inStorage{gpuScene, scene, settings};
+  const Pipeline inStorage{gpuScene, settings};
   const auto pixels =
       static_cast<std::uint64_t>(settings.size.width) * static_cast<std::uint64_t>(settings.size.height);
 

@@ -1,4 +1,4 @@
-#include "render/covered_part.hpp"
+#include "render/coverage.hpp"
 
 #include <algorithm>
 
@@ -11,24 +11,25 @@
 namespace lavaray {
 namespace {
 
-// Levels of the hierarchy to go down: the boxes there are smaller, and what lies behind the camera is apart
-// from what lies before it.
+// Levels of the hierarchy to descend: the boxes there are smaller, and those behind the camera are apart from
+// those in front of it.
 constexpr int kLevels = 4;
 
-// Extends `bounds` by the images of the boxes below the node; false where one is not in front of the camera.
-bool extendBelow(const GpuScene& scene, gpu::uint index, int levels, const Camera& camera,
-                 const ImageSize& size, PixelBounds& bounds) {
+// Extends `bounds` by the projections of the boxes below the node; false where one is not in front of the
+// camera.
+bool extendBelow(const GpuScene& scene, gpu::uint index, int levels, const ImageSize& size,
+                 PixelBounds& bounds) {
   const gpu::BvhNode& node = scene.nodes[index];
   for (int i = 0; i < static_cast<int>(gpu::kNodeWidth); ++i) {
     const Box box = childBox(node, i);
     // A child that is not there, or one behind the camera, which nothing sees directly.
     if (box.lower.x > box.upper.x || box.lower.z > 0.0F) continue;
     if (node.children[i] <= gpu::kMaxReference && levels > 0) {
-      if (!extendBelow(scene, node.children[i], levels - 1, camera, size, bounds)) return false;
+      if (!extendBelow(scene, node.children[i], levels - 1, size, bounds)) return false;
       continue;
     }
     if (!(box.upper.z < 0.0F)) return false;
-    const PixelBounds image = project(box, camera, size);
+    const PixelBounds image = project(box, scene.imagePlane, size);
     bounds.lower = glm::min(bounds.lower, image.lower);
     bounds.upper = glm::max(bounds.upper, image.upper);
   }
@@ -37,14 +38,13 @@ bool extendBelow(const GpuScene& scene, gpu::uint index, int levels, const Camer
 
 }  // namespace
 
-Rectangle coveredPart(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
+Rectangle coverage(const GpuScene& scene, const RenderSettings& settings) {
   if (!scene.planes.empty()) return settings.crop;
   PixelBounds bounds{glm::dvec2(INFINITY), glm::dvec2(-INFINITY)};
-  if (!scene.nodes.empty() && !extendBelow(scene, 0, kLevels, camera, settings.size, bounds))
-    return settings.crop;
-  const double reach = filterReach(settings.filter) + kRoundingPixels;
-  bounds.lower -= reach;
-  bounds.upper += reach;
+  if (!scene.nodes.empty() && !extendBelow(scene, 0, kLevels, settings.size, bounds)) return settings.crop;
+  const double margin = filterRadius(settings.filter) + kRoundingPixels;
+  bounds.lower -= margin;
+  bounds.upper += margin;
   return pixelsIn(bounds, settings.crop);
 }
 

@@ -1,4 +1,4 @@
-#include "render/tile_starts.hpp"
+#include "render/entry_nodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "bvh/flatten.hpp"
 #include "bvh/wide_bvh.hpp"
 #include "sampling/pixel_filter.hpp"
 #include "support/random_numbers.hpp"
@@ -68,38 +69,37 @@ struct Figures {
   int nowhere = 0;
 };
 
-// Rays through random points of the crop's pixels, as far beside a pixel as the filter reaches.
+// Rays through random points of the crop's pixels, as far from a pixel as the filter's radius.
 Figures compareWithTheRoot(const Scene& scene, const RenderSettings& settings, Random& random) {
   const GpuScene flat = flatten(scene, 1);
-  const TileStarts starts = tileStarts(flat, scene.camera, settings);
+  const EntryNodes nodes = entryNodes(flat, settings, settings.crop);
   const Rectangle& crop = settings.crop;
-  const double reach = filterReach(settings.filter);
+  const double radius = filterRadius(settings.filter);
   Figures figures;
   for (; figures.rays < 20000; ++figures.rays) {
     const auto x = static_cast<int>(random() % static_cast<unsigned>(crop.x1 - crop.x0));
     const auto y = static_cast<int>(random() % static_cast<unsigned>(crop.y1 - crop.y0));
-    const gpu::uint start =
-        starts.groups[std::size_t(y >> starts.shift) * starts.across + (x >> starts.shift)];
-    EXPECT_EQ(isEmpty(starts, y * (crop.x1 - crop.x0) + x, crop.x1 - crop.x0), start == 0);
-    const double column = crop.x0 + x + 0.5 + uniform(random, -reach, reach);
-    const double row = crop.y0 + y + 0.5 + uniform(random, -reach, reach);
+    const gpu::uint group = nodes.groups[std::size_t(y >> nodes.shift) * nodes.across + (x >> nodes.shift)];
+    EXPECT_EQ(isEmpty(nodes, y * (crop.x1 - crop.x0) + x, crop.x1 - crop.x0), group == 0);
+    const double column = crop.x0 + x + 0.5 + uniform(random, -radius, radius);
+    const double row = crop.y0 + y + 0.5 + uniform(random, -radius, radius);
     const double scale = static_cast<double>(imageSize(scene.camera)->width) / settings.size.width;
     const glm::dvec3 direction((column - settings.size.width / 2.0) * scale,
                                (settings.size.height / 2.0 - row) * scale, -scene.camera.focalLength);
     std::set<gpu::uint> all;
     std::set<gpu::uint> reached;
     collectLeaves(flat, gpu::kRootGroup, direction, all);
-    collectLeaves(flat, start, direction, reached);
+    collectLeaves(flat, group, direction, reached);
     EXPECT_EQ(reached, all) << column << ' ' << row;
     figures.leaves += static_cast<int>(all.size());
-    figures.belowTheRoot += start > gpu::kRootGroup ? 1 : 0;
-    figures.nowhere += start == 0 ? 1 : 0;
+    figures.belowTheRoot += group > gpu::kRootGroup ? 1 : 0;
+    figures.nowhere += group == 0 ? 1 : 0;
   }
   return figures;
 }
 
 // Balls before the camera, around it, and behind it; whole images, crops, and images of many pixels.
-TEST(TileStarts, ReachAllThatTheTilesRaysReach) {
+TEST(EntryNodes, ReachAllThatTheTilesRaysReach) {
   Random random(4);
   RenderSettings settings;
   for (const auto& [nearest, farthest] : {std::pair{5.0, 12.0}, {-6.0, 6.0}, {-9.0, -5.0}}) {
@@ -112,7 +112,7 @@ TEST(TileStarts, ReachAllThatTheTilesRaysReach) {
         settings.crop = {0, 0, settings.size.width, settings.size.height};
         const Figures whole = compareWithTheRoot(scene, settings, random);
         std::cout << whole.leaves << " leaves on " << whole.rays << " rays, " << whole.belowTheRoot
-                  << " of which start below the root, " << whole.nowhere << " nowhere\n";
+                  << " of which enter below the root, " << whole.nowhere << " nowhere\n";
         settings.crop = {31, 17, 90, 99};
         compareWithTheRoot(scene, settings, random);
         if (nearest > 0.0) {
@@ -126,15 +126,15 @@ TEST(TileStarts, ReachAllThatTheTilesRaysReach) {
   }
 }
 
-TEST(TileStarts, AreFewWhateverTheImage) {
+TEST(EntryNodes, AreFewWhateverTheImage) {
   Random random(4);
   const Scene scene = sceneOfBalls(random, 5.0, 12.0);
   RenderSettings settings;
   settings.size = {60000, 40000};
   settings.crop = {0, 0, 60000, 40000};
-  const TileStarts starts = tileStarts(flatten(scene, 1), scene.camera, settings);
-  EXPECT_LE(starts.groups.size(), 1U << 18U);
-  EXPECT_EQ(starts.across, (60000U + (1U << starts.shift) - 1) >> starts.shift);
+  const EntryNodes nodes = entryNodes(flatten(scene, 1), settings, settings.crop);
+  EXPECT_LE(nodes.groups.size(), 1U << 18U);
+  EXPECT_EQ(nodes.across, (60000U + (1U << nodes.shift) - 1) >> nodes.shift);
 }
 
 }  // namespace

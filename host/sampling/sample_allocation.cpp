@@ -1,4 +1,4 @@
-#include "sampling/sample_plan.hpp"
+#include "sampling/sample_allocation.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,40 +8,41 @@
 namespace lavaray {
 namespace {
 
-using convergence::fallAt;
-using convergence::kFallSteps;
+using convergence::kRateSteps;
 using convergence::kSampleSteps;
+using convergence::rateAt;
 
 // Squared errors are kept as a float's exponent and two bits of its mantissa, counted from 2^-60 on.
 constexpr unsigned kDroppedBits = 21;
-constexpr std::uint32_t kLowest = (127U - 60U) << 2U;
-constexpr std::uint32_t kErrorSteps = PixelClass::kCount / (kFallSteps * kSampleSteps);
+constexpr std::uint32_t kMinErrorStep = (127U - 60U) << 2U;
+constexpr std::uint32_t kErrorSteps = PixelClass::kCount / (kRateSteps * kSampleSteps);
 
 }  // namespace
 
-PixelClass::PixelClass(float squaredError, int fallStep, int sampleStep) {
+PixelClass::PixelClass(float squaredError, int rateStep, int sampleStep) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(squaredError) >> kDroppedBits;
-  const std::uint32_t errorStep = std::clamp(bits, kLowest, kLowest + kErrorSteps - 1U) - kLowest;
-  index_ = static_cast<std::uint16_t>((errorStep * kFallSteps + static_cast<std::uint32_t>(fallStep)) *
+  const std::uint32_t errorStep =
+      std::clamp(bits, kMinErrorStep, kMinErrorStep + kErrorSteps - 1U) - kMinErrorStep;
+  index_ = static_cast<std::uint16_t>((errorStep * kRateSteps + static_cast<std::uint32_t>(rateStep)) *
                                           kSampleSteps +
                                       static_cast<std::uint32_t>(sampleStep));
 }
 
 double PixelClass::squaredError() const {
-  const std::uint32_t errorStep = index_ / (kFallSteps * kSampleSteps);
+  const std::uint32_t errorStep = index_ / (kRateSteps * kSampleSteps);
   if (errorStep == 0) return 0.0;
   constexpr std::uint32_t kMiddle = 1U << (kDroppedBits - 1U);
-  return double{std::bit_cast<float>(((errorStep + kLowest) << kDroppedBits) + kMiddle)};
+  return double{std::bit_cast<float>(((errorStep + kMinErrorStep) << kDroppedBits) + kMiddle)};
 }
 
-SamplePlan::SamplePlan(std::span<const PixelClass> pixels, double goal, int maxSampleStep)
+SampleAllocation::SampleAllocation(std::span<const PixelClass> pixels, double goal, int maxSampleStep)
     : growth_(PixelClass::kCount) {
   std::vector<std::uint32_t> counts(PixelClass::kCount);
   for (const PixelClass& pixel : pixels) ++counts[pixel.index()];
 
   std::vector<Offer> offers;
-  double least = std::numeric_limits<double>::max();
-  double most = std::numeric_limits<double>::lowest();
+  double minGain = std::numeric_limits<double>::max();
+  double maxGain = std::numeric_limits<double>::lowest();
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == 0) continue;
     const PixelClass pixel(i);
@@ -51,24 +52,24 @@ SamplePlan::SamplePlan(std::span<const PixelClass> pixels, double goal, int maxS
     if (squaredError == 0.0) continue;
     squaredError_ += count * squaredError / static_cast<double>(pixels.size());
     const double gain =
-        std::log2(squaredError * (1.0 - std::exp2(-fallAt(pixel.fallStep())))) - pixel.sampleStep();
+        std::log2(squaredError * (1.0 - std::exp2(-rateAt(pixel.rateStep())))) - pixel.sampleStep();
     offers.push_back({pixel, count, squaredError, gain});
-    least = std::min(least, gain);
-    most = std::max(most, gain);
+    minGain = std::min(minGain, gain);
+    maxGain = std::max(maxGain, gain);
   }
   if (squaredError_ <= goal) return;
 
   // The highest price of a sample, and so the fewest samples, for which the error is the goal. A step is as
   // much as a doubling loses of its gain when it is made, at least, so that the last price is low enough for
   // anything.
-  double low = least - 4.0 * kSampleSteps;
-  double high = most;
+  double low = minGain - 4.0 * kSampleSteps;
+  double high = maxGain;
   while (high - low > 0.02) {
     const double price = (low + high) / 2.0;
     double sum = 0.0;
     for (const Offer& offer : offers) {
       const int growth = growthAt(offer, price, maxSampleStep);
-      sum += offer.pixels * offer.squaredError * std::exp2(-fallAt(offer.pixel.fallStep()) * growth);
+      sum += offer.pixels * offer.squaredError * std::exp2(-rateAt(offer.pixel.rateStep()) * growth);
     }
     (sum <= goal * static_cast<double>(pixels.size()) ? low : high) = price;
   }
@@ -81,10 +82,10 @@ SamplePlan::SamplePlan(std::span<const PixelClass> pixels, double goal, int maxS
 }
 
 // Samples are doubled as long as each lowers the squared error by more than its price; a doubling gains
-// 2^-(fall + 1) of what the one before it has gained for a sample.
-int SamplePlan::growthAt(const Offer& offer, double logPrice, int maxSampleStep) {
+// 2^-(rate + 1) of what the one before it has gained for a sample.
+int SampleAllocation::growthAt(const Offer& offer, double logPrice, int maxSampleStep) {
   const int room = std::max(0, maxSampleStep - offer.pixel.sampleStep());
-  const double doublings = (offer.doublingGain - logPrice) / (fallAt(offer.pixel.fallStep()) + 1.0);
+  const double doublings = (offer.doublingGain - logPrice) / (rateAt(offer.pixel.rateStep()) + 1.0);
   return std::clamp(static_cast<int>(std::ceil(doublings)), 0, room);
 }
 

@@ -4,56 +4,33 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 
-#include "bvh/flatten.hpp"
+#include "bvh/gpu_scene.hpp"
 #include "film/film_file.hpp"
 #include "image/image.hpp"
 #include "render/picture_rows.hpp"
+#include "render/render_statistics.hpp"
+#include "render/sampling_progress.hpp"
 #include "render/settings.hpp"
 #include "render/tracer.hpp"
 
 namespace lavaray {
 
-enum class StopReason {
-  kFinished,    // all samples are taken, or the target error is reached
-  kMaxSamples,  // every pixel that wants more samples has as many as allowed
-  kTimeLimit,
-  kInterrupted,
-};
-
-const char* stopReasonName(StopReason reason);
-
-// What a render did, and why it stopped.
-struct RenderStatistics {
-  StopReason stopReason = StopReason::kFinished;
-  double samplesPerPixel = 0.0;     // in the mean over pixels that are not skipped, those of a film included
-  double estimatedError = 0.0;      // RMSE, where there was a target
-  std::uint32_t mostSamples = 1;    // of a pixel
-  std::uint64_t skippedPixels = 0;  // known to be black without a sample
-  TraceCounts counts;               // of this process
-  std::size_t deviceBytes = 0;
-  double largestMeasure = 0.0;  // of a pixel, where the view is a measure: that is shown as 1
-};
-
 struct RenderResult : RenderStatistics {
   Image image;  // of the crop's size; black where no sample was taken
 };
 
-class Sampling;
-
-// A render of settings.crop. It can be looked at and kept while it is under way, between two pieces of work.
+// A render of settings.crop. Between two batches of work it can be looked at and kept.
 class Render {
  public:
   // The device and the scene must outlive it. Throws Error(kDevice) where the scene does not fit the device.
-  Render(vulkan::Device& device, const GpuScene& scene, const Camera& camera, const RenderSettings& settings);
-  ~Render();
+  Render(vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings);
 
-  // Takes up what the film has, as if it had been rendered here. Its identity, crop and range are those of
-  // this render. Throws Error(kInput) where it cannot be read.
-  void goOnFrom(FilmReader& film);
+  // Resumes from what the film has, as if it had been rendered here. Its identity, crop and range are those
+  // of this render. Throws Error(kInput) where it cannot be read.
+  void resumeFrom(FilmReader& film);
 
   // Is called about ten times a second and returns whether to go on.
   using Proceed = std::function<bool()>;
@@ -82,19 +59,20 @@ class Render {
 
  private:
   using Clock = std::chrono::steady_clock;
-  [[nodiscard]] bool isTraced() const { return sampling_ != nullptr; }
+  [[nodiscard]] bool isTraced() const { return tracer_.has_value(); }
   [[nodiscard]] std::optional<StopReason> reasonToStop(const Proceed& proceed) const;
   [[nodiscard]] std::uint64_t sampledPixels() const;
   void forEachRow(const TakeRow& take) const;
   void copyShown(std::uint64_t first, std::span<glm::vec3> values) const;
+  [[nodiscard]] float measureOf(std::uint64_t pixel) const;
   [[nodiscard]] float largestMeasure() const;
   template <typename Value>
-  [[nodiscard]] std::vector<float> wholeValues(float elsewhere, const Value& value) const;
+  [[nodiscard]] std::vector<float> valuesOfCrop(float elsewhere, const Value& value) const;
 
   const vulkan::Device& device_;
-  Rectangle crop_;                      // of the picture that is asked for
-  RenderSettings settings_;             // their crop is the part of it that is traced
-  std::unique_ptr<Sampling> sampling_;  // these two are empty where nothing is traced
+  RenderSettings settings_;
+  Rectangle area_;                            // of the crop, in which something can show
+  std::optional<SamplingProgress> sampling_;  // these two are empty where that has no pixel
   std::optional<Tracer> tracer_;
   std::optional<PictureRows> rows_;   // where no picture is kept
   std::uint64_t earlierSamples_ = 0;  // of a film, in pixels that are sampled
@@ -103,12 +81,11 @@ class Render {
   bool isComplete_ = false;  // all is done that was asked for
 };
 
-// The most bytes, or nearly so, that a render with these settings holds of its pixels in the host's memory.
-// The device's buffers come on top, and whatever the caller makes of the picture.
+// An upper bound, or nearly so, of the bytes of the host's memory that a render with these settings takes for
+// its pixels. The device's buffers come on top, and whatever the caller makes of the picture.
 std::uint64_t hostBytes(const RenderSettings& settings);
 
 // Renders all at once.
-RenderResult render(vulkan::Device& device, const GpuScene& scene, const Camera& camera,
-                    const RenderSettings& settings);
+RenderResult render(vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings);
 
 }  // namespace lavaray

@@ -1,4 +1,4 @@
-#include "render/tile_starts.hpp"
+#include "render/entry_nodes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,56 +13,55 @@
 namespace lavaray {
 namespace {
 
-// Smaller tiles start deeper but take longer to prepare; the array stays small for the largest images.
-constexpr std::uint32_t kSmallestShift = 3;
-constexpr std::uint64_t kMostTiles = 1U << 18U;
+// Smaller tiles enter deeper but take longer to prepare; the array stays small for the largest images.
+constexpr std::uint32_t kMinShift = 3;
+constexpr std::uint64_t kMaxTiles = 1U << 18U;
 
-// The directions through some pixels: x / -z and y / -z, from the camera.
+// The directions of the camera rays through some pixels: x / -z and y / -z.
 struct Slopes {
   glm::dvec2 lower;
   glm::dvec2 upper;
 };
 
-class Planner {
+// From the whole area down to its tiles, each of which begins where the square around it ended.
+class Search {
  public:
-  Planner(const GpuScene& scene, const Camera& camera, const RenderSettings& settings, TileStarts& result)
-      : scene_(scene), settings_(settings), result_(result) {
-    const ImageSize plane = imageSize(camera).value();
-    half_ = glm::dvec2(plane.width, plane.height) / 2.0 / camera.focalLength;
+  Search(const GpuScene& scene, const RenderSettings& settings, const Rectangle& area, EntryNodes& result)
+      : scene_(scene), area_(area), result_(result) {
+    half_ = scene.imagePlane.size / 2.0 / scene.imagePlane.distance;
     pixel_ = 2.0 * half_ / glm::dvec2(settings.size.width, settings.size.height);
-    reach_ = filterReach(settings.filter) + kRoundingPixels;
+    margin_ = filterRadius(settings.filter) + kRoundingPixels;
   }
 
-  // Sets the starts of the tiles in a square of 2^level of them. All that they reach is in `start`.
-  void plan(std::uint32_t x, std::uint32_t y, std::uint32_t level, gpu::uint start) {
+  // Sets the groups of the tiles in a square of 2^level of them. All that they reach is in `group`.
+  void run(std::uint32_t x, std::uint32_t y, std::uint32_t level, gpu::uint group) {
     if (x >= result_.across || y >= down()) return;
-    start = descend(start, slopes(x, y, level));
+    group = descend(group, slopes(x, y, level));
     if (level == 0) {
-      result_.groups[std::size_t{y} * result_.across + x] = start;
+      result_.groups[std::size_t{y} * result_.across + x] = group;
       return;
     }
     const std::uint32_t half = 1U << (level - 1);
     for (const std::uint32_t dy : {0U, half}) {
-      for (const std::uint32_t dx : {0U, half}) plan(x + dx, y + dy, level - 1, start);
+      for (const std::uint32_t dx : {0U, half}) run(x + dx, y + dy, level - 1, group);
     }
   }
 
  private:
   [[nodiscard]] std::uint32_t down() const {
-    const auto height = static_cast<std::uint32_t>(settings_.crop.y1 - settings_.crop.y0);
-    return (height + (1U << result_.shift) - 1) >> result_.shift;
+    return (static_cast<std::uint32_t>(area_.height()) + (1U << result_.shift) - 1) >> result_.shift;
   }
 
   [[nodiscard]] Slopes slopes(std::uint32_t x, std::uint32_t y, std::uint32_t level) const {
     const double side = std::uint64_t{1} << (level + result_.shift);
-    const glm::dvec2 first(settings_.crop.x0 + (double(x) * (1U << result_.shift)),
-                           settings_.crop.y0 + (double(y) * (1U << result_.shift)));
-    const glm::dvec2 lower = (first - reach_) * pixel_ - half_;
-    const glm::dvec2 upper = (first + side + reach_) * pixel_ - half_;
+    const glm::dvec2 first(area_.x0 + (double(x) * (1U << result_.shift)),
+                           area_.y0 + (double(y) * (1U << result_.shift)));
+    const glm::dvec2 lower = (first - margin_) * pixel_ - half_;
+    const glm::dvec2 upper = (first + side + margin_) * pixel_ - half_;
     return {{lower.x, -upper.y}, {upper.x, -lower.y}};
   }
 
-  // The group of the one child that the directions reach, as far down as there is one.
+  // The group of the only child that the directions reach, as deep as there is such a child.
   [[nodiscard]] gpu::uint descend(gpu::uint group, const Slopes& slopes) const {
     while (group != 0) {
       const gpu::BvhNode& node = scene_.nodes[group >> gpu::kGroupNodeShift];
@@ -94,22 +93,22 @@ class Planner {
   }
 
   const GpuScene& scene_;
-  const RenderSettings& settings_;
-  TileStarts& result_;
-  glm::dvec2 half_;  // of the image
-  glm::dvec2 pixel_;
-  double reach_;
+  const Rectangle& area_;
+  EntryNodes& result_;
+  glm::dvec2 half_;   // of the image plane, as slopes
+  glm::dvec2 pixel_;  // likewise
+  double margin_;     // around a pixel, in pixels
 };
 
 }  // namespace
 
-std::uint64_t pixelsOfEmptyTiles(const TileStarts& starts, const ImageSize& size) {
-  const int side = 1 << starts.shift;
+std::uint64_t pixelsOfEmptyTiles(const EntryNodes& nodes, const ImageSize& size) {
+  const int side = 1 << nodes.shift;
   std::uint64_t pixels = 0;
   std::size_t tile = 0;
   for (int y = 0; y < size.height; y += side) {
     for (int x = 0; x < size.width; x += side) {
-      if (starts.groups[tile++] != 0) continue;
+      if (nodes.groups[tile++] != 0) continue;
       pixels += static_cast<std::uint64_t>(std::min(side, size.width - x)) *
                 static_cast<std::uint64_t>(std::min(side, size.height - y));
     }
@@ -117,21 +116,21 @@ std::uint64_t pixelsOfEmptyTiles(const TileStarts& starts, const ImageSize& size
   return pixels;
 }
 
-TileStarts tileStarts(const GpuScene& scene, const Camera& camera, const RenderSettings& settings) {
-  // Of a scene without a traversal no shader reads them.
+EntryNodes entryNodes(const GpuScene& scene, const RenderSettings& settings, const Rectangle& area) {
+  // Where no ray traverses the hierarchy, no shader reads them.
   if (scene.nodes.empty() || scene.hasFewPrimitives)
     return {0, 0, std::vector<gpu::uint>(gpu::kEntryNodesPerTexel)};
-  const auto width = static_cast<std::uint64_t>(settings.crop.x1 - settings.crop.x0);
-  const auto height = static_cast<std::uint64_t>(settings.crop.y1 - settings.crop.y0);
-  std::uint32_t shift = kSmallestShift;
+  const auto width = static_cast<std::uint64_t>(area.width());
+  const auto height = static_cast<std::uint64_t>(area.height());
+  std::uint32_t shift = kMinShift;
   const auto tiles = [&](std::uint64_t pixels) { return (pixels + (1U << shift) - 1) >> shift; };
-  while (tiles(width) * tiles(height) > kMostTiles) ++shift;
-  TileStarts result{shift, static_cast<std::uint32_t>(tiles(width)), {}};
+  while (tiles(width) * tiles(height) > kMaxTiles) ++shift;
+  EntryNodes result{shift, static_cast<std::uint32_t>(tiles(width)), {}};
   const std::uint64_t texels =
       (tiles(width) * tiles(height) + gpu::kEntryNodesPerTexel - 1) / gpu::kEntryNodesPerTexel;
   result.groups.resize(texels * gpu::kEntryNodesPerTexel);
   const auto levels = static_cast<std::uint32_t>(std::bit_width(std::max(tiles(width), tiles(height)) - 1));
-  Planner(scene, camera, settings, result).plan(0, 0, levels, gpu::kRootGroup);
+  Search(scene, settings, area, result).run(0, 0, levels, gpu::kRootGroup);
   return result;
 }
 

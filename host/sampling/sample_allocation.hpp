@@ -9,37 +9,38 @@
 
 namespace lavaray {
 
-// What a plan goes by of a pixel: the squared error of its mean, how that falls, and how many samples it has.
-// It is quantised to a number of 16 bits, so that a plan for a million pixels is one for a thousand classes.
+// All that an allocation knows of a pixel: the squared error of its mean, at which rate that converges, and
+// how many samples it has. Quantised to 16 bits, so that allocating for a million pixels means allocating for
+// a thousand classes.
 class PixelClass {
  public:
   static constexpr std::size_t kCount =
-      std::size_t{256} * convergence::kFallSteps * convergence::kSampleSteps;
+      std::size_t{256} * convergence::kRateSteps * convergence::kSampleSteps;
 
   PixelClass() = default;
   // squaredError >= 0, kept within 13 %; below 2^-60 it is none at all.
-  PixelClass(float squaredError, int fallStep, int sampleStep);
+  PixelClass(float squaredError, int rateStep, int sampleStep);
   explicit PixelClass(std::size_t index) : index_(static_cast<std::uint16_t>(index)) {}
 
   [[nodiscard]] std::size_t index() const { return index_; }  // < kCount
   [[nodiscard]] double squaredError() const;
-  [[nodiscard]] int fallStep() const { return index_ / convergence::kSampleSteps % convergence::kFallSteps; }
+  [[nodiscard]] int rateStep() const { return index_ / convergence::kSampleSteps % convergence::kRateSteps; }
   [[nodiscard]] int sampleStep() const { return index_ % convergence::kSampleSteps; }
 
  private:
   std::uint16_t index_ = 0;
 };
 
-// How many samples the pixels shall have so that an image's mean squared error is a goal, with the fewest
-// samples.
-class SamplePlan {
+// How many samples each pixel gets so that the image's mean squared error reaches a goal with the fewest
+// samples in all.
+class SampleAllocation {
  public:
   // No pixel gets more than 2^maxSampleStep samples, or than it has already.
-  SamplePlan(std::span<const PixelClass> pixels, double goal, int maxSampleStep);
+  SampleAllocation(std::span<const PixelClass> pixels, double goal, int maxSampleStep);
 
-  // As the image is. Where it is not above the goal the plan is to do nothing.
+  // Of the image as it is. Where it is not above the goal, no pixel grows.
   [[nodiscard]] double squaredError() const { return squaredError_; }
-  // log2 of the number of times by which the samples of a pixel shall grow.
+  // log2 of the factor by which the samples of a pixel grow.
   [[nodiscard]] int growth(PixelClass pixel) const { return growth_[pixel.index()]; }
   [[nodiscard]] double samples() const { return samples_; }  // of all pixels, once all have grown
 

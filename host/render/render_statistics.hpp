@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "render/tracer.hpp"
+
+namespace lavaray {
+
+enum class StopReason {
+  kFinished,    // all samples are taken, or the target error is reached
+  kMaxSamples,  // every pixel that wants more samples has as many as allowed
+  kTimeLimit,
+  kInterrupted,
+};
+
+const char* stopReasonName(StopReason reason);
+
+// What a render did, and why it stopped.
+struct RenderStatistics {
+  StopReason stopReason = StopReason::kFinished;
+  double samplesPerPixel = 0.0;     // mean over pixels that are not skipped, including samples of a film
+  double estimatedError = 0.0;      // RMSE, where there was a target
+  std::uint32_t maxSamples = 1;     // of a pixel
+  std::uint64_t skippedPixels = 0;  // known to be black without a sample
+  TraceCounts counts;               // of this process
+  std::size_t deviceBytes = 0;
+  double largestMeasure = 0.0;  // of a pixel, where the view is a measure: that is shown as 1
+};
+
+}  // namespace lavaray

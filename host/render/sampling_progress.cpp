@@ -1,0 +1,108 @@
+#include "render/sampling_progress.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/small_objects.hpp"
+
+namespace lavaray {
+namespace {
+
+SumKind sumKind(const RenderSettings& settings) {
+  if (settings.targetError) return SumKind::kHalves;
+  if (takesCenters(settings)) return settings.keepsPicture ? SumKind::kCenter : SumKind::kNone;
+  return isMeasure(settings.view) ? SumKind::kMeasure : SumKind::kMean;
+}
+
+AdaptiveGoal adaptiveGoal(const RenderSettings& settings) {
+  return {*settings.targetError, settings.maxSamples, settings.sampler == Sampler::kSobol};
+}
+
+}  // namespace
+
+SamplingProgress beginSampling(const GpuScene& scene, const RenderSettings& settings, const Rectangle& area) {
+  SamplingProgress progress{area.pixels(), {}, {}, SampleSums(sumKind(settings), area.pixels()), {}};
+  if (settings.targetError) {
+    progress.plan.emplace(ImageSize{area.width(), area.height()}, adaptiveGoal(settings),
+                          pixelsOfSmallObjects(scene, settings));
+  } else {
+    progress.range = sampleRange(settings);
+    progress.pass.samples = {progress.range->first, progress.range->first};
+  }
+  return progress;
+}
+
+bool beginPass(SamplingProgress& progress) {
+  progress.pass = progress.plan ? progress.plan->nextPass(progress.sums.halves())
+                                : nextUniformPass(progress.pixels, *progress.range, progress.pass.samples);
+  progress.itemsDone = 0;
+  return progress.pass.items > 0;
+}
+
+void add(SamplingProgress& progress, std::span<const gpu::WorkResult> results) {
+  progress.sums.add(progress.pass, progress.itemsDone, results);
+  progress.itemsDone += results.size();
+}
+
+double shareDone(const SamplingProgress& progress) {
+  const double planned =
+      progress.plan ? progress.plan->plannedSamples()
+                    : static_cast<double>(progress.pixels) * (progress.range->end - progress.range->first);
+  return std::min(1.0, static_cast<double>(progress.sums.samples()) / planned);
+}
+
+double estimatedError(const SamplingProgress& progress) {
+  return progress.plan ? progress.plan->estimatedError() : 0.0;
+}
+
+std::uint64_t maxItems(const RenderSettings& settings, std::uint64_t pixels) {
+  return settings.targetError ? 2 * pixels : maxUniformItems(pixels, sampleRange(settings));
+}
+
+std::uint64_t samplingBytes(const RenderSettings& settings, std::uint64_t pixels) {
+  const std::size_t ofPlan = settings.targetError ? AdaptivePlan::bytesPerPixel() : 0;
+  return pixels * (bytesPerPixel(sumKind(settings)) + ofPlan);
+}
+
+void describe(const SamplingProgress& progress, FilmHeader& header) {
+  header.kind = progress.sums.kind();
+  switch (header.kind) {
+    case SumKind::kCenter:
+      header.itemsDone = progress.sums.samples();
+      break;
+    case SumKind::kHalves:
+      header.itemsPending = progress.pass.items - progress.itemsDone;
+      break;
+    default:
+      header.roundFirst = progress.pass.samples.first;
+      header.roundSize = progress.pass.samples.end - progress.pass.samples.first;
+      header.itemsDone = progress.itemsDone;
+  }
+}
+
+void write(const SamplingProgress& progress, FilmWriter& film) {
+  film.write(progress.sums.bytes());
+  film.write(std::as_bytes(std::span(progress.pass.list).subspan(progress.plan ? progress.itemsDone : 0)));
+}
+
+void resumeFrom(FilmReader& film, SamplingProgress& progress) {
+  const FilmHeader& header = film.header();
+  film.readPixels(progress.sums.bytes());
+  progress.sums.restored(header.itemsDone);
+  progress.itemsDone = header.itemsDone;
+  if (progress.plan) {
+    // The plan of a pass cannot be made again from sums that have some of its results, so what is left of it
+    // is in the film.
+    progress.plan->resumeFrom(progress.sums.halves());
+    std::vector<gpu::WorkItem> pending(header.itemsPending);
+    film.readItems(std::as_writable_bytes(std::span(pending)));
+    progress.pass = listedPass(std::move(pending));
+    progress.itemsDone = 0;
+  } else if (progress.sums.kind() == SumKind::kCenter) {
+    progress.pass = uniformPass(progress.pixels, {0, 1});
+  } else {
+    progress.pass = uniformPass(progress.pixels, {header.roundFirst, header.roundFirst + header.roundSize});
+  }
+}
+
+}  // namespace lavaray

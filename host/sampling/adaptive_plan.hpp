@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/rectangle.hpp"
+#include "sampling/error_estimate.hpp"
+#include "sampling/sample_pass.hpp"
+
+namespace lavaray {
+
+struct AdaptiveGoal {
+  double targetError;  // > 0: of the image's RMSE over pixels and channels, in units of a colour of 0..1
+  std::uint32_t maxSamples;  // of a pixel, >= 2
+  bool isStratified;         // whether the samples of a pixel are, or are independent
+};
+
+// Decides which pixels get more samples until the image's root-mean-square error is at most a target.
+//
+// A pixel's samples are one stratified sequence, of which it has a power of two, so that its halves tell its
+// error (see ErrorEstimate). Samples go where one more lowers the error most (see SampleAllocation). Pure
+// arithmetic: it traces nothing, and the sums of the samples are the caller's.
+class AdaptivePlan {
+ public:
+  // The pixels of small objects, numbered row by row, get more samples to begin with.
+  AdaptivePlan(const ImageSize& size, const AdaptiveGoal& goal, std::vector<std::uint64_t> smallObjects);
+
+  // Of memory, including the work items of a pass and of the next one, whose vector grows.
+  static std::size_t bytesPerPixel() { return ErrorEstimate::bytesPerPixel() + 4 * sizeof(gpu::WorkItem); }
+
+  // The samples to take next; none once the target is reached or nothing more is allowed. All results of the
+  // pass before must be in `sums`. The halves of pixels that get more are added up there: what they have so
+  // far becomes the first half.
+  SamplePass nextPass(std::span<HalfSums> sums);
+
+  // Goes on from the sums of an earlier plan for the same image.
+  void resumeFrom(std::span<const HalfSums> sums);
+
+  [[nodiscard]] bool reachedTarget() const { return estimatedError_ <= goal_; }
+  [[nodiscard]] double estimatedError() const { return estimatedError_; }  // RMSE over pixels and channels
+  [[nodiscard]] double estimatedError(std::uint64_t pixel) const;
+  // Of the whole render, as far as can be told now.
+  [[nodiscard]] double plannedSamples() const { return plannedSamples_; }
+
+ private:
+  [[nodiscard]] std::vector<gpu::WorkItem> firstItems() const;
+  std::vector<gpu::WorkItem> itemsOf(const SampleAllocation& allocation, std::span<HalfSums> sums);
+
+  double goal_;
+  int maxSampleStep_;
+  std::uint32_t smallObjectSamples_;
+  double estimatedError_ = 1.0;
+  double plannedSamples_ = 0.0;
+  bool hasStarted_ = false;
+  std::uint64_t pixels_;
+  std::vector<std::uint64_t> smallObjects_;
+  ErrorEstimate estimate_;
+};
+
+}  // namespace lavaray

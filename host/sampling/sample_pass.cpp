@@ -1,0 +1,49 @@
+#include "sampling/sample_pass.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace lavaray {
+namespace {
+
+// The first passes are shorter: a pixel without a sample is black.
+constexpr std::uint32_t kPassSamples = 64;
+
+std::uint32_t itemsFor(SampleRange samples) {
+  return (samples.end - samples.first + gpu::kMaxSamplesPerItem - 1) / gpu::kMaxSamplesPerItem;
+}
+
+}  // namespace
+
+SamplePass uniformPass(std::uint64_t pixels, SampleRange samples) {
+  return {pixels * itemsFor(samples), samples, {}};
+}
+
+SamplePass listedPass(std::vector<gpu::WorkItem> list) {
+  const std::uint64_t items = list.size();
+  return {items, {0, 0}, std::move(list)};
+}
+
+SamplePass nextUniformPass(std::uint64_t pixels, SampleRange range, SampleRange before) {
+  const std::uint32_t usual = std::clamp(before.end - range.first, gpu::kMaxSamplesPerItem, kPassSamples);
+  return uniformPass(pixels, {before.end, before.end + std::min(usual, range.end - before.end)});
+}
+
+std::uint64_t maxUniformItems(std::uint64_t pixels, SampleRange range) {
+  return pixels * itemsFor({0, std::min(range.end - range.first, kPassSamples)});
+}
+
+gpu::WorkItem itemAt(const SamplePass& pass, std::uint64_t index) {
+  if (!pass.list.empty()) return pass.list[index];
+  const std::uint32_t itemsPerPixel = itemsFor(pass.samples);
+  const std::uint32_t first =
+      pass.samples.first + static_cast<std::uint32_t>(index % itemsPerPixel) * gpu::kMaxSamplesPerItem;
+  return {static_cast<gpu::uint>(index / itemsPerPixel), 0, first,
+          std::min(gpu::kMaxSamplesPerItem, pass.samples.end - first)};
+}
+
+void copyItems(const SamplePass& pass, std::uint64_t first, std::span<gpu::WorkItem> items) {
+  for (gpu::WorkItem& item : items) item = itemAt(pass, first++);
+}
+
+}  // namespace lavaray
