@@ -25,7 +25,7 @@ static_assert(std::endian::native == std::endian::little, "film files hold numbe
 
 constexpr std::string_view kMagic = "lavaray film 2\n";
 // Of the header; more is no film.
-constexpr std::uint64_t kMostHeaderBytes = 1U << 24U;
+constexpr std::uint64_t kMaxHeaderBytes = 1U << 24U;
 constexpr std::size_t kChunkBytes = 1U << 20U;
 
 using Digest = std::array<std::byte, sizeof(XXH128_canonical_t)>;
@@ -169,7 +169,7 @@ void FilmReader::readHeader() {
   std::uint64_t length = 0;
   const bool isFilm = std::fread(magic.data(), 1, magic.size(), stream_) == magic.size() && magic == kMagic;
   if (!isFilm) fail("it is no film of this version of lavaray");
-  if (std::fread(&length, sizeof length, 1, stream_) != 1 || length > kMostHeaderBytes) {
+  if (std::fread(&length, sizeof length, 1, stream_) != 1 || length > kMaxHeaderBytes) {
     fail("the film's header is damaged");
   }
   std::string text(length, '\0');

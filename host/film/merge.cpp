@@ -10,18 +10,18 @@ namespace lavaray {
 namespace {
 
 // Of what is wrong with parts a message names so many at most.
-constexpr std::size_t kMostNamed = 12;
+constexpr std::size_t kMaxNamed = 12;
 
 class Complaints {
  public:
   void add(const std::string& complaint) {
-    if (count_ < kMostNamed) text_ += (count_ > 0 ? "\n" : "") + complaint;
+    if (count_ < kMaxNamed) text_ += (count_ > 0 ? "\n" : "") + complaint;
     ++count_;
   }
   void throwIfAny() const {
     if (count_ == 0) return;
     const std::string rest =
-        count_ > kMostNamed ? "\nand " + std::to_string(count_ - kMostNamed) + " more" : "";
+        count_ > kMaxNamed ? "\nand " + std::to_string(count_ - kMaxNamed) + " more" : "";
     throw Error(ExitCode::kInput, text_ + rest);
   }
 

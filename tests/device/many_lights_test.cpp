@@ -10,7 +10,7 @@ namespace lavaray {
 namespace {
 
 // See kMaxTraversalSteps: where llvmpipe ends loops.
-constexpr std::size_t kMostTurns = 65535;
+constexpr std::size_t kMaxTurns = 65535;
 
 // The camera in the origin sees a wall that fills the image; the lights are behind it.
 Scene wallBeforeLights(const Material& material, std::size_t lights, double lightRadius) {
@@ -51,7 +51,7 @@ TEST(ManyLights, ThatShineFromBehindAddNothing) {
 }
 
 TEST(ManyLights, MayBeMoreThanTheLoopHasTurns) {
-  const Scene scene = wallBeforeLights(matte({0.25, 0.5, 0.75}), 2 * kMostTurns, 0.0);
+  const Scene scene = wallBeforeLights(matte({0.25, 0.5, 0.75}), 2 * kMaxTurns, 0.0);
   for (const std::uint32_t samples : {1U, 2U}) expectAmbientColor(scene, samples);
 }
 

@@ -227,14 +227,14 @@ TEST(Mirrors, FacingOnesGiveAGeometricSeries) {
   std::cout << "largest error " << largest << '\n';
 }
 
-constexpr double kLeastOfBounce = 0.01;
-constexpr double kMostOfBounce = 0.088;  // with all of the lamp: 0.01 + 0.008 + 0.04 + 0.03
+constexpr double kMinOfBounce = 0.01;
+constexpr double kMaxOfBounce = 0.088;  // with all of the lamp: 0.01 + 0.008 + 0.04 + 0.03
 
 // A room whose six sides and two balls are mirrors, so that no path ever ends.
 Scene closedMirrorRoom(const glm::dvec3& reflectance) {
   Scene scene;
   scene.camera = {{0.1, 0.2, 0}, 70.0, 45.0, 1.3};
-  const Material material{glm::dvec3(kLeastOfBounce), glm::dvec3(0.04), glm::dvec3(0.03), 12.0, reflectance};
+  const Material material{glm::dvec3(kMinOfBounce), glm::dvec3(0.04), glm::dvec3(0.03), 12.0, reflectance};
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-2.5, 2.0}) {
       glm::dvec3 normal(0.0);
@@ -265,16 +265,16 @@ TEST(Mirrors, NeverAddEnergyWithDepth) {
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
       const int channel = static_cast<int>(i % 3);
       const double step = double{image.rgb[i]} - before[i];
-      ASSERT_LE(step, kMostOfBounce * weight[channel] + kRounding) << "depth " << depth;
-      ASSERT_GE(step, kLeastOfBounce * weight[channel] - kRounding) << "depth " << depth;
-      ASSERT_LE(image.rgb[i], kMostOfBounce / (1.0 - k[channel]));
+      ASSERT_LE(step, kMaxOfBounce * weight[channel] + kRounding) << "depth " << depth;
+      ASSERT_GE(step, kMinOfBounce * weight[channel] - kRounding) << "depth " << depth;
+      ASSERT_LE(image.rgb[i], kMaxOfBounce / (1.0 - k[channel]));
       if (weight[channel] > 0.01)
-        largestStep = std::max(largestStep, step / (kMostOfBounce * weight[channel]));
+        largestStep = std::max(largestStep, step / (kMaxOfBounce * weight[channel]));
       highest = std::max(highest, double{image.rgb[i]});
     }
     before = image.rgb;
   }
-  std::cout << "highest value " << highest << " of at most " << kMostOfBounce / (1.0 - k.x)
+  std::cout << "highest value " << highest << " of at most " << kMaxOfBounce / (1.0 - k.x)
             << "; largest step " << largestStep << " of what a bounce may add\n";
 }
 

@@ -20,8 +20,8 @@ struct Rows {
   std::uint64_t samples;
 };
 
-// Stops before piece number `pieces`.
-Rows rowsOf(const Scene& scene, RenderSettings settings, int pieces) {
+// Stops before batch number `batches`.
+Rows rowsOf(const Scene& scene, RenderSettings settings, int batches) {
   settings.keepsPicture = false;
   const GpuScene gpuScene = flatten(scene, 2);
   Render render(testDevice(), gpuScene, settings);
@@ -29,7 +29,7 @@ Rows rowsOf(const Scene& scene, RenderSettings settings, int pieces) {
   const TakeRow take = [&](std::span<const float> row) {
     rows.all.insert(rows.all.end(), row.begin(), row.end());
   };
-  render.run([&] { return pieces-- > 0; }, take);
+  render.run([&] { return batches-- > 0; }, take);
   rows.whileRendering = rows.all;
   rows.samples = render.statistics().counts.samples;
   render.handOverRows(take);
@@ -59,11 +59,11 @@ TEST(Rows, AreBlackWhereARenderWasStopped) {
   const RenderSettings settings = settingsFor(reducedSize(scene.camera, 300), 1);
   const Image image = renderScene(scene, settings).image;
   const auto width = static_cast<std::size_t>(image.width);
-  for (const int pieces : {0, 1, 2}) {
-    const Rows rows = rowsOf(scene, settings, pieces);
+  for (const int batches : {0, 1, 2}) {
+    const Rows rows = rowsOf(scene, settings, batches);
     ASSERT_EQ(rows.all.size(), image.rgb.size());
     ASSERT_LT(3 * rows.samples, image.rgb.size());
-    EXPECT_EQ(rows.samples > 0, pieces > 0);
+    EXPECT_EQ(rows.samples > 0, batches > 0);
     EXPECT_EQ(rows.whileRendering.size(), rows.samples / width * 3 * width);
     std::vector<float> expected(image.rgb.size());
     std::copy_n(image.rgb.begin(), 3 * rows.samples, expected.begin());
