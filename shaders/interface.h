@@ -216,7 +216,7 @@ const uint kTexelsPerMaterial = 4u;
 
 // `count` samples of a pixel, from number `first` on.
 struct WorkItem {
-  uint pixel;  // of the crop, counted row by row
+  uint pixel;  // of the traced area, counted row by row
   uint part;   // for the host: which of the pixel's sums they belong to
   uint first;
   uint count;
@@ -265,16 +265,16 @@ struct DispatchConstants {
   vec2 pixelSize;     // of an output pixel on the camera's image plane
   vec2 halfImage;     // half the image plane's extent
   float focalLength;  // its distance
-  uint cropX;         // left and top of the crop, in pixels
-  uint cropY;
-  uint cropWidth;
+  uint areaX;         // left and top of the traced area of the picture, in pixels
+  uint areaY;
+  uint areaWidth;
   uint itemCount;
   uint mode;  // kModeAll, ...
   uint seed;
   uint maxDepth;    // mirror bounces
   uint filterSize;  // entries of the filter's table; 0 for the box
   uint firstPixel;  // of the items, where they are consecutive pixels (kSamplingCenter)
-  // Where the pipeline has entry nodes, the camera rays through a tile of the crop, a square with sides of
+  // Where the pipeline has entry nodes, the camera rays through a tile of the area, a square with sides of
   // 2^tileShift pixels, start at the tile's own. Tiles are counted row by row, tilesAcross to a row.
   uint tileShift;
   uint tilesAcross;

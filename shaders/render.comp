@@ -51,9 +51,9 @@ vec3 displayed(vec3 color) {
 }
 
 // The packed group at which the pixel's camera rays enter the hierarchy.
-uint entryGroup(uvec2 pixelInCrop) {
+uint entryGroup(uvec2 pixelInArea) {
   if (!kHasEntryNodes) return kRootGroup;
-  const uvec2 tile = pixelInCrop >> constants.tileShift;
+  const uvec2 tile = pixelInArea >> constants.tileShift;
   return fetchEntryNode(tile.y * constants.tilesAcross + tile.x);
 }
 
@@ -85,9 +85,9 @@ bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState 
 // Takes the samples from state.taken on. Returns false where it could not take them all. The loop has the
 // form of tracePath's, for the same reason.
 bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
-  const uvec2 inCrop = uvec2(item.pixel % constants.cropWidth, item.pixel / constants.cropWidth);
-  const uvec2 pixel = inCrop + uvec2(constants.cropX, constants.cropY);
-  const uint entry = entryGroup(inCrop);
+  const uvec2 inArea = uvec2(item.pixel % constants.areaWidth, item.pixel / constants.areaWidth);
+  const uvec2 pixel = inArea + uvec2(constants.areaX, constants.areaY);
+  const uint entry = entryGroup(inArea);
   // The 0 keeps the samples where they have always been.
   const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), 0u);
   bool finished;

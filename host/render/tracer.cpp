@@ -22,9 +22,9 @@ gpu::DispatchConstants dispatchConstants(const GpuScene& scene, const RenderSett
   constants.pixelSize = plane.size / glm::dvec2(settings.size.width, settings.size.height);
   constants.halfImage = plane.size / 2.0;
   constants.focalLength = static_cast<float>(plane.distance);
-  constants.cropX = static_cast<gpu::uint>(area.x0);
-  constants.cropY = static_cast<gpu::uint>(area.y0);
-  constants.cropWidth = static_cast<gpu::uint>(area.width());
+  constants.areaX = static_cast<gpu::uint>(area.x0);
+  constants.areaY = static_cast<gpu::uint>(area.y0);
+  constants.areaWidth = static_cast<gpu::uint>(area.width());
   constants.seed = settings.seed;
   return constants;
 }

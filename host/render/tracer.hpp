@@ -47,7 +47,7 @@ class Tracer {
   // Whether nothing can be seen through a pixel of the area, so that its samples are not traced.
   [[nodiscard]] bool skips(std::uint64_t pixel) const {
     return variant_.skipsEmptyTiles &&
-           isEmpty(entryNodes_, static_cast<std::uint32_t>(pixel), constants_.cropWidth);
+           isEmpty(entryNodes_, static_cast<std::uint32_t>(pixel), constants_.areaWidth);
   }
   [[nodiscard]] std::uint64_t skippedPixels() const { return skippedPixels_; }
   // Bytes of the scene's arrays and of the work on the device.

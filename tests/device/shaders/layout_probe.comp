@@ -81,7 +81,7 @@ void putConstants(inout uint end) {
   put(constants.pixelSize, end);
   put(constants.halfImage, end);
   put(constants.focalLength, end);
-  put(uvec3(constants.cropX, constants.cropY, constants.cropWidth), end);
+  put(uvec3(constants.areaX, constants.areaY, constants.areaWidth), end);
   put(uvec3(constants.itemCount, constants.mode, constants.seed), end);
   put(uvec3(constants.maxDepth, constants.filterSize, constants.firstPixel), end);
   put(constants.tileShift, end);
