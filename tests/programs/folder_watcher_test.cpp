@@ -1,4 +1,4 @@
-// Which changes of files a watcher tells.
+// Which changes a watcher reports.
 #include "watch/folder_watcher.hpp"
 
 #include <fstream>
@@ -41,7 +41,7 @@ TEST_P(FolderWatcherTest, RenamingOverTheFile) {
     EXPECT_EQ(watcher.changes(kEnough), Paths{a_});
     EXPECT_TRUE(watcher.changes(kAWhile).empty());
   }
-  // A backup is kept under another name, as editors do.
+  // As editors do that keep a backup under another name.
   std::filesystem::rename(b_, b_.string() + ".bak");
   writeFile("b", "B");
   EXPECT_EQ(watcher.changes(kEnough), Paths{b_});
@@ -82,7 +82,7 @@ TEST_P(FolderWatcherTest, OtherFilesAreNotTold) {
   writeFile("a2", "");
   replaceByRename(testFolder() / "picture.bmp", "");
   EXPECT_TRUE(watcher.changes(kAWhile).empty());
-  // And do not keep it from being quiet.
+  // Nor do they delay the report of a watched file.
   writeFile("a", "A");
   Paths told;
   for (int i = 0; i < 50 && told.empty(); ++i) {
@@ -142,7 +142,7 @@ TEST_P(FolderWatcherTest, SymbolicLinks) {
   std::filesystem::create_directory_symlink("elsewhere", linkToFolder);
   writeFile("elsewhere/target", "another");
   EXPECT_EQ(watcher.changes(kEnough), Paths{linkToFolder / "target"});
-  // Links without end are no file.
+  // A link to itself is no file.
   std::filesystem::remove(link);
   std::filesystem::create_symlink("link", link);
   EXPECT_EQ(watcher.changes(kEnough), Paths{link});

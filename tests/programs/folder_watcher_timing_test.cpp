@@ -1,4 +1,4 @@
-// When a watcher tells changes, and how long it waits for them.
+// When a watcher reports changes, and how long it waits for them.
 #include <pthread.h>
 
 #include <algorithm>
@@ -35,8 +35,8 @@ TEST_P(FolderWatcherTiming, NothingChanges) {
   EXPECT_TRUE(watcher.changes(kAWhile).empty());
 }
 
-// Writes the file 20 times in some 40 ms. Returns the longest time between two writes, which a busy machine
-// makes long.
+// Writes the file 20 times in some 40 ms. Returns the longest gap between two writes, which grows on a busy
+// machine.
 Clock::duration writeBurst() {
   Clock::duration longest{};
   Clock::time_point last = Clock::now();
@@ -75,7 +75,7 @@ TEST_P(FolderWatcherTiming, WaitsForQuiet) {
     writeFile("a", "A");
     told += watcher.changes(milliseconds(5)).empty() ? 0 : 1;
   }
-  // A machine that sleeps in between makes it quiet.
+  // On a machine that stalls in between, the file seems quiet.
   EXPECT_LE(told, 1);
   if (told == 0) {
     EXPECT_EQ(watcher.changes(kEnough), Paths{a_});
@@ -105,7 +105,7 @@ TEST_P(FolderWatcherTiming, NoChangeIsLostBetweenTwoSets) {
   writeFile("a", "A");
   watcher.watch({b_, a_});
   EXPECT_EQ(watcher.changes(kEnough), Paths{a_});
-  // While the files are read that a change has made necessary, another one gets known.
+  // A change may reveal another file while those it concerns are being read.
   const auto c = writeFile("c", "c");
   watcher.watch({a_, b_, c});
   EXPECT_EQ(watcher.changes(kEnough), Paths{c});
@@ -126,7 +126,7 @@ TEST_P(FolderWatcherTiming, ASignalEndsTheWaiting) {
   watcher.watch({a_});
   const pthread_t waiting = pthread_self();
   const Clock::time_point start = Clock::now();
-  // More than one, as it may arrive between two waits.
+  // Several signals, since one may arrive between two waits.
   std::atomic<bool> isOver{false};
   std::thread sender([&] {
     while (!isOver) {

@@ -1,4 +1,4 @@
-// The readers on the course's scenes and on meshes of others, which lie outside the tree.
+// The readers against the course's scenes and well-known meshes, which lie outside the tree.
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
@@ -19,7 +19,7 @@ struct SharedMesh {
   std::size_t triangles;
 };
 
-// In the names of the tests.
+// For the names of the tests.
 void PrintTo(const SharedMesh& value, std::ostream* out) {
   *out << value.name;
 }
@@ -68,7 +68,7 @@ struct SharedScene {
   std::size_t planes, spheres, triangles, meshes, lights;
 };
 
-// In the names of the tests.
+// For the names of the tests.
 void PrintTo(const SharedScene& value, std::ostream* out) {
   *out << value.file;
 }
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(All, SharedScenes, testing::ValuesIn(kSharedScenes), []
   return test.param.file.substr(0, test.param.file.find('.'));
 });
 
-// The mesh of the assignment's own sample is public nowhere.
+// The mesh of the assignment's own sample was never published.
 TEST(ReadScene, AssignmentSampleLacksItsMesh) {
   const auto file = std::filesystem::path(LAVARAY_SHARED_DIR) / "course" / "handout_sample.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";

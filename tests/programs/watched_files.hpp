@@ -15,15 +15,15 @@ namespace lavaray {
 
 using Paths = std::vector<std::filesystem::path>;
 
-inline constexpr std::chrono::milliseconds kEnough{5000};  // for any change to be told
-inline constexpr std::chrono::milliseconds kAWhile{400};   // for one to show that should not
+inline constexpr std::chrono::milliseconds kEnough{5000};  // for any change to be reported
+inline constexpr std::chrono::milliseconds kAWhile{400};   // for a report to turn up that should not
 
-// Longer than a tick of the clock that stamps files.
+// Longer than a tick of the clock that time-stamps files.
 inline void letTheClockTick() {
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
-// Two files to watch, by each method.
+// Two files to watch, by either method.
 class WatchedFiles : public testing::TestWithParam<WatchMethod> {
  protected:
   WatchedFiles() {

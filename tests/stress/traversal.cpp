@@ -1,4 +1,4 @@
-// The traversal on the device against brute force with the same primitive tests: the same hit, bit for bit.
+// The device's traversal against brute force with the same primitive tests: the same hit, bit for bit.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -26,7 +26,7 @@ TEST_P(ClosestHit, EqualsBruteForce) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     ASSERT_EQ(closest[i].finished, 1U);
     ASSERT_EQ(expected[i].finished, 1U);
-    // Of several at one distance both must name the first in the file, so the primitive is the same, too.
+    // Of several hits at one distance both must name the first in the file, so the primitive must match, too.
     if (expected[i].order != kMiss) ++hits;
     if (closest[i].t != expected[i].t) {
       ++wrong;
@@ -46,7 +46,7 @@ TEST_P(ClosestHit, EqualsBruteForce) {
 class AnyHit : public testing::TestWithParam<TraversalScene> {};
 INSTANTIATE_TEST_SUITE_P(, AnyHit, testing::ValuesIn(traversalScenes()), traversalSceneName);
 
-// Up to a random distance, something is hit exactly where the closest hit is nearer than that.
+// Something is hit within a random distance exactly where the closest hit is nearer than that.
 TEST_P(AnyHit, EqualsClosestHitNearerThanTheEnd) {
   auto [scene, rays] = GetParam().make(sized(100'000, 1'000'000));
   const GpuScene gpuScene = flatten(scene, 2);

@@ -15,7 +15,7 @@ gpu::ProbeRay rayThrough(const glm::dvec3& origin, const glm::dvec3& target) {
   return {origin, kNoSkip, glm::vec3(target) - glm::vec3(origin), INFINITY};
 }
 
-// Half of the rays run between random points, half are aimed at random points of the triangles' edges and at
+// Half of the rays run between random points; the others are aimed at points on the triangles' edges, and at
 // their vertices.
 std::vector<gpu::ProbeRay> randomAndEdgeRays(const std::vector<Triangle>& triangles, std::size_t count,
                                              double extent, Random& random) {
@@ -42,7 +42,7 @@ SceneAndRays triangleSoup(std::size_t rayCount) {
   return result;
 }
 
-// A sliver is missed by nearly all random rays, so all are aimed at one.
+// Nearly every random ray misses a sliver, so each ray is aimed at one.
 SceneAndRays slivers(std::size_t rayCount) {
   Random random(2);
   SceneAndRays result;
@@ -81,7 +81,7 @@ SceneAndRays mixture(std::size_t rayCount) {
   return result;
 }
 
-// Flat boxes, and rays along the axes whose origins lie in the planes of the boxes' sides: 0 * infinity.
+// Flat boxes, and rays along the axes whose origins lie in the planes of the boxes' faces: 0 * infinity.
 SceneAndRays gridAlongTheAxes(std::size_t rayCount) {
   Random random(5);
   SceneAndRays result;
@@ -121,8 +121,8 @@ void addCube(Scene& scene, const glm::dvec3& corner) {
   }
 }
 
-// 0, -0, a denormal number, 1 or -1, or any number up to 1: where the inverse of a direction's component is
-// infinite, or is too large for a float.
+// 0, -0, a denormal number, 1 or -1, or any number up to 1: the inverse of some is infinite or too large for
+// a float.
 float hostileComponent(Random& random) {
   const float number = uniform(random, -1.0F, 1.0F);
   switch (random() % 5) {
@@ -147,8 +147,8 @@ glm::vec3 hostileDirection(Random& random) {
   return direction;
 }
 
-// Cubes in the black fields of a chess board of three dimensions, and rays to their corners and the middles
-// of their edges and sides, along the sides' planes or off them by a denormal number. Some begin in a plane
+// Cubes on the black cells of a three-dimensional chessboard, and rays to their corners and to the middles of
+// their edges and faces, in the planes of the faces or off them by a denormal number. Some start in a plane
 // of the lattice.
 SceneAndRays latticeOfCubes(std::size_t rayCount) {
   Random random(9);
@@ -184,9 +184,9 @@ SceneAndRays farFromTheOrigin(std::size_t rayCount) {
   return result;
 }
 
-// Triangles that come nearer to the origin in proportion, so that the tree is as deep as it may be. Seen from
-// the origin, the deeper child is the nearer one at every node: the other ones fill the stack. Half of the
-// rays miss all triangles and leave no box out.
+// Triangles at geometrically shrinking distances from the origin, so that the tree is as deep as it may be.
+// Seen from the origin, the deeper child of every node is the nearer one, so the others fill the stack. Half
+// of the rays miss all triangles but skip no box.
 SceneAndRays deepTree(std::size_t rayCount) {
   Random random(8);
   SceneAndRays result;
@@ -217,7 +217,7 @@ SceneAndRays torusMesh(std::size_t rayCount) {
         {{mesh.positions[a] - center, mesh.positions[b] - center, mesh.positions[c] - center}, 0});
   }
   result.rays = randomAndEdgeRays(triangles, rayCount, 1.2 * extent, random);
-  // Relative to the camera, as the device has it.
+  // Relative to the camera, as on the device.
   const glm::vec3 place = center - result.scene.camera.position;
   for (gpu::ProbeRay& ray : result.rays) ray.origin += place;
   return result;

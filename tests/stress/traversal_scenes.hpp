@@ -11,7 +11,7 @@
 
 namespace lavaray {
 
-// Scenes, each with rays that are hard for a traversal of it.
+// Scenes, each with rays that make its traversal hard.
 
 struct SceneAndRays {
   Scene scene;
@@ -21,13 +21,13 @@ struct SceneAndRays {
 struct TraversalScene {
   const char* name;
   SceneAndRays (*make)(std::size_t rayCount);
-  // Of the rays, how many may hit another primitive than brute force, at the same distance. Where a hit is
-  // near compared with the size of its triangle, rounding moves it by more than the boxes are widened by, and
-  // the box of a second triangle there can seem to lie behind it.
+  // The share of rays that may hit another primitive than brute force does, at the same distance. Where a hit
+  // is near compared with the size of its triangle, rounding moves it by more than the boxes are padded by,
+  // and the box of a second triangle there can seem to lie behind it.
   double maxTies = 0.0;
 };
 
-// All of them, and the name of one in those of the tests.
+// All of them, and what one is called in the names of the tests.
 std::vector<TraversalScene> traversalScenes();
 std::ostream& operator<<(std::ostream& out, const TraversalScene& scene);
 std::string traversalSceneName(const testing::TestParamInfo<TraversalScene>& test);

@@ -32,7 +32,7 @@ TEST(ImageCompare, CountsCertainPixelsThatAreOff) {
 }
 
 TEST(ImageCompare, KnowsWhatIsOnTheOtherSideOfAnEdge) {
-  // A ray through the horizon of a plane sees it or not.
+  // A ray at the horizon of a plane may see it or miss it.
   Scene scene;
   scene.camera = {{0, 0, 0}, 90.0, 1.5, 1.0};
   scene.materials = {{.ambient = {0.5, 0.25, 0.75}}};

@@ -25,7 +25,7 @@ struct BadObj {
   std::string words;
 };
 
-// In the names of the tests.
+// For the names of the tests.
 void PrintTo(const BadObj& value, std::ostream* out) {
   *out << value.name;
 }

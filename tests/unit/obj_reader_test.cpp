@@ -151,8 +151,8 @@ TEST(ReadObj, LocaleDoesNotMatter) {
   EXPECT_EQ(mesh.positions[1].x, 1000.5);
 }
 
-// Back references across parts, every kind of line end, a byte-order mark where it is none, errors in several
-// parts of which the first in the file counts, and an error in a face before one in a later line.
+// Back references across parts, every kind of line ending, a byte-order mark in mid-file, errors in several
+// parts (the first in the file wins), and an error in a face ahead of one on a later line.
 TEST(ReadObj, PartsOfAnySizeMakeTheSameMeshAndTheSameMessage) {
   const auto outcome = [](const std::string& text, std::size_t partBytes) {
     Mesh mesh;
@@ -180,8 +180,8 @@ TEST(ReadObj, PartsOfAnySizeMakeTheSameMeshAndTheSameMessage) {
   EXPECT_EQ(outcome(texts[5], 8).second.substr(0, 13), "mesh.obj:7: \"");
 }
 
-// As long as one line each: a search for the end of a line, or of the CRs in front of it, that begins anew in
-// each line would take hours.
+// Each amounts to one long line: a search for its end, or for the CRs before it, that started afresh on every
+// line would take hours.
 TEST(ReadObj, MillionsOfLoneCrsAndContinuedLines) {
   constexpr std::size_t kLines = 4'000'000;
   const std::string crs(kLines, '\r');

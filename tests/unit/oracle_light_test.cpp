@@ -50,7 +50,7 @@ TEST(Oracle, TurnsInterpolatedNormalsByTheSideOfTheirFace) {
 TEST(Oracle, KeepsANormalThatPointsAwayOnAFaceSeenFromTheFront) {
   Scene scene = emptyScene();
   addMesh(scene, dvec3(0.8, 0.0, 0.6));
-  // The pixel (100, 50) looks along (50, 0, -50.5): against the face, yet along the normal.
+  // The pixel (100, 50) looks along (50, 0, -50.5): towards the face, yet along its normal.
   const dvec3 point = dvec3(50.0, 0.0, -50.5) * (10.0 / 50.5);
   scene.lights = {lightAt(point + dvec3(0.8, 0.0, 0.6))};
   expectColor(pixelAt(scene, 100, 50), phong(1.0, 0.0));
@@ -73,7 +73,7 @@ TEST(Oracle, CoincidentFacesDoNotShadowEachOther) {
 }
 
 TEST(Oracle, ASurfaceThroughTheLightDoesNotBlockIt) {
-  // The pixel (10, 50) sees the plane past the triangle or the sphere at the light.
+  // The pixel (10, 50) sees the plane beside the triangle or sphere at the light.
   Scene scene = emptyScene();
   addPlane(scene, dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, -10.0));
   scene.lights = {lightAt(dvec3(0.0, 0.0, -5.0))};

@@ -18,7 +18,7 @@ using oracle::Options;
 using oracle::Pixel;
 using oracle::Result;
 
-// The walls x = -2.5 and x = 2.5 are perfect mirrors. Cell k of the unfolded room is the room, mirrored k
+// The walls x = -2.5 and x = 2.5 are perfect mirrors. Cell k of the unfolded room is the room mirrored k
 // times.
 constexpr double kHalfWidth = 2.5;
 const dvec3 kBall(0.8, -0.7, -6.0);
@@ -60,8 +60,8 @@ TEST(OracleMirrors, AMirrorRoomIsTheUnfoldedScene) {
   EXPECT_LE(different, 1);  // a silhouette that rounding moves across a sample
 }
 
-// With lights there is no single unfolded scene, as the lamp of a cell does not shine into the next. So each
-// pixel must be that of the unfolded scene with the lamp in one of the cells.
+// With lights there is no single unfolded scene, because the lamp of one cell does not shine into the next.
+// Each pixel must instead match the unfolded scene with the lamp in one of the cells.
 TEST(OracleMirrors, AMirrorRoomIsLitAsTheUnfoldedScene) {
   const Material ball{dvec3(0.05), dvec3(0.6, 0.3, 0.2), dvec3(0.4), 20.0, dvec3(0.0)};
   const Material wall{dvec3(0.1), dvec3(0.2, 0.3, 0.5), dvec3(0.3), 5.0, dvec3(0.0)};

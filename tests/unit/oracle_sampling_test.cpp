@@ -1,5 +1,5 @@
-// The oracle's sampled images against closed forms. Seeds are fixed, so that the statistical bounds (four
-// standard errors or more) either hold for good or show an error.
+// The oracle's sampled images against closed forms. The seeds are fixed, so a statistical bound (four
+// standard errors or more) that fails points to a bug, not to bad luck.
 #include "oracle/oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -23,12 +23,12 @@ using oracle::Options;
 using oracle::Pixel;
 using oracle::Result;
 
-// So narrow that all of a pixel sees one point, as far as any test here can tell.
+// So narrow a view that a whole pixel sees one point, as far as any test here can tell.
 Scene narrowScene() {
   return sceneWithView(0.001);
 }
 
-// Shows 0.5 (1 + visible part of a light of ambient 1).
+// Shows 0.5 (1 + v), where v is the visible part of a light whose ambient colour is 1.
 Material visibility() {
   Material material;
   material.ambient = dvec3(0.5);
@@ -50,7 +50,7 @@ double visiblePart(const Pixel& pixel) {
   return 2.0 * pixel.color.x - 1.0;
 }
 
-// `unit` is what one part of the quantity adds to the colour.
+// `unit` is how much a quantity of 1 adds to the colour.
 void expectWithin(double value, double expected, double standardError, double unit = 1.0) {
   EXPECT_NEAR(value, expected, 4.0 * standardError / unit + 1e-9);
 }
@@ -66,8 +66,8 @@ TEST(OracleSampling, AreaOfASpheresImage) {
       area += pixel.color;
       variance += pixel.standardError * pixel.standardError;
     }
-    // The ellipse in which the image plane cuts the cone of half angle a whose axis is at the angle b to the
-    // view: pi f^2 sin^2 a cos a / (cos^2 b - sin^2 a)^(3/2).
+    // The image plane cuts the cone of half angle a, whose axis makes the angle b with the view, in an
+    // ellipse of area pi f^2 sin^2 a cos a / (cos^2 b - sin^2 a)^(3/2).
     const double sine = 4.0 / glm::length(center);
     const double cosine = std::sqrt(1.0 - sine * sine);
     const double axis = 10.0 / glm::length(center);
@@ -88,7 +88,7 @@ TEST(OracleSampling, PenumbraOfAHalfPlane) {
     for (const double share : {-1.1, -0.9, -0.5, 0.0, 0.3, 0.8, 1.1}) {
       const double a = std::asin(radius / distance);
       const double b = share * a;
-      // From the point the edge is seen in the light's direction, turned by b towards the occluder.
+      // Seen from the point, the edge lies in the light's direction turned by b towards the occluder.
       const double edge = 4.0 * std::tan(std::atan2(3.0, 7.0) + b);
       Scene scene = narrowScene();
       scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, visibility())}};
@@ -132,7 +132,7 @@ TEST(OracleSampling, WhatLiesInOrBehindTheLightBlocksNothing) {
     scene.spheres = {{light + along * axis, 1.0, addMaterial(scene, visibility())}};
     scene.lights = {ambientLight(light, 2.0)};
     EXPECT_EQ(visiblePart(middlePixel(scene, 1000)), 1.0) << along;
-    // A point light in its place is hidden in the ball.
+    // A point light there is hidden inside the ball.
     scene.lights[0].radius = 0.0;
     EXPECT_EQ(visiblePart(middlePixel(scene, 1000)), along < 1.0 ? 0.0 : 1.0) << along;
   }
@@ -142,7 +142,8 @@ TEST(OracleSampling, DiffuseLightOfASphere) {
   const dvec3 point(0.0, 0.0, -10.0);
   Material matte;
   matte.diffuse = dvec3(1.0);
-  // The mean direction of a cone is its axis times (1 + cos a) / 2, as long as all of it is over the horizon.
+  // The mean direction of a cone is its axis times (1 + cos a) / 2, as long as the whole cone is above the
+  // horizon.
   for (const double radius : {0.01, 1.0, 5.0}) {
     Scene scene = narrowScene();
     scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, matte)}};
@@ -160,7 +161,7 @@ TEST(OracleSampling, DiffuseLightOfASphere) {
   scene.planes = {{dvec3(0.0, 0.0, 1.0), point, addMaterial(scene, matte)}};
   scene.lights = {{point + dvec3(1.0, 2.0, 2.0), dvec3(0.0), dvec3(1.0), dvec3(0.0), 5.0}};
   const Pixel pixel = middlePixel(scene, 40000);
-  // (The sum of 0.5 and the term is clamped at 1: subtract what lies above, the mean of max(l.n - 0.5, 0).)
+  // (0.5 plus the term is clamped to 1: subtract the excess, the mean of max(l.n - 0.5, 0).)
   expectWithin(pixel.color.x, 0.5 + 0.25 - 0.0625, pixel.standardError.x);
   scene.lights = {ambientLight(point + dvec3(1.0, 2.0, 2.0), 5.0)};
   EXPECT_EQ(visiblePart(middlePixel(scene, 100)), 1.0);
@@ -195,7 +196,7 @@ TEST(OracleSampling, TheStandardErrorIsThatOfTheMean) {
   }
   EXPECT_GT(noisy, 500);
   EXPECT_NEAR(squares / noisy, 1.0, 0.15);
-  EXPECT_GT(differing, 500);  // all 64 bits of the seed count
+  EXPECT_GT(differing, 500);  // all 64 bits of the seed matter
 }
 
 TEST(OracleSampling, APixelDependsOnSeedAndPlaceOnly) {

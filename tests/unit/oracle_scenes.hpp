@@ -23,7 +23,7 @@ inline Light lightAt(const glm::dvec3& position) {
   return light;
 }
 
-// The format's formula for one visible light, the cosines given.
+// The format's formula for one visible light, given the cosines.
 inline glm::dvec3 phong(double diffuseCosine, double specularPower) {
   return kMaterial.ambient + kLight.ambient * kMaterial.ambient +
          kLight.diffuse * kMaterial.diffuse * diffuseCosine +
@@ -51,7 +51,7 @@ inline void addSphere(Scene& scene, const glm::dvec3& center, double radius,
   scene.spheres.push_back({center, radius, addMaterial(scene, material)});
 }
 
-// A large triangle in the plane z = -10 with the same normal at each corner, `copies` times.
+// A large triangle in the plane z = -10 with one normal at all corners, `copies` times over.
 inline void addMesh(Scene& scene, const glm::dvec3& normal, bool reversed = false, int copies = 1) {
   Mesh mesh;
   mesh.positions = {glm::dvec3(-40.0, -40.0, -10.0), glm::dvec3(40.0, -40.0, -10.0),

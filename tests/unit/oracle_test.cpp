@@ -29,7 +29,7 @@ TEST(Oracle, MarksSilhouettesAndShadowEdges) {
     for (int x = 1; x < 101; ++x) {
       const Pixel& left = result.pixels[static_cast<std::size_t>(y * 101 + x - 1)];
       const Pixel& right = result.pixels[static_cast<std::size_t>(y * 101 + x)];
-      // Shading alone changes less than this from pixel to pixel.
+      // Shading alone varies less than this from one pixel to the next.
       if (glm::length(left.color - right.color) < 0.06) continue;
       ++changes;
       EXPECT_TRUE(left.uncertain || right.uncertain) << x << ", " << y;
@@ -55,7 +55,7 @@ TEST(Oracle, SpheresAreInvisibleFromInside) {
   addPlane(scene, dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, -10.0));
   scene.lights = {lightAt(dvec3(3.0, 0.0, -6.0))};
   expectColor(pixelAt(scene, 50, 50), phong(0.8, 0.64));
-  // A light inside the sphere is behind the sphere's near side, seen from the plane.
+  // Seen from the plane, a light inside the sphere is hidden by the sphere's near side.
   scene.lights = {lightAt(dvec3(0.0, 0.0, 1.0))};
   expectColor(pixelAt(scene, 50, 50), kMaterial.ambient);
 }
@@ -69,7 +69,7 @@ TEST(Oracle, MirrorsAddWhatTheySee) {
   addPlane(scene, dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, -10.0), mirror);
   addPlane(scene, dvec3(0.0, 0.0, 1.0), dvec3(0.0, 0.0, 4.0), back);
   expectColor(pixelAt(scene, 50, 50), mirror.ambient + mirror.reflectance * back.ambient);
-  // Not clamped before the multiplication.
+  // The reflected colour is not clamped before it is multiplied.
   scene.materials[1].ambient = dvec3(1.2, 3.0, 0.1);
   expectColor(pixelAt(scene, 50, 50), mirror.ambient + mirror.reflectance * scene.materials[1].ambient);
   expectColor(pixelAt(scene, 50, 50, 0), mirror.ambient);
@@ -100,7 +100,7 @@ TEST(Oracle, OfCoincidentSurfacesTheFirstOfTheSceneIsSeen) {
   const Pixel pixel = pixelAt(scene, 51, 52);
   expectColor(pixel, first.ambient);
   EXPECT_TRUE(pixel.uncertain);
-  scene.materials[1] = first;  // now it does not matter which
+  scene.materials[1] = first;  // now either may be seen
   EXPECT_FALSE(pixelAt(scene, 51, 52).uncertain);
 }
 

@@ -19,7 +19,7 @@ struct BadScene {
   std::string words;
 };
 
-// In the names of the tests.
+// For the names of the tests.
 void PrintTo(const BadScene& value, std::ostream* out) {
   *out << value.name;
 }
@@ -35,7 +35,7 @@ TEST_P(ReadSceneFails, AtTheLine) {
 const std::string kStart = "9\n" + kCamera;  // lines 1 to 6
 const std::string kKinds = "camera, plane, sphere, triangle, mesh, light, model";
 
-// One key of a sphere, in line 8.
+// One key of a sphere, on line 8.
 std::string sphereWith(const std::string& line) {
   return kStart + "sphere\n" + line + "\n";
 }
