@@ -98,7 +98,10 @@ void Device::submit(const std::function<void(VkCommandBuffer)>& record) {
   info.pCommandBuffers = &commands_;
   const VkFence fence = fence_.get();
   check(vkQueueSubmit(queue_, 1, &info, fence), "submit work to " + description_.name);
-  check(vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX), "wait for " + description_.name);
+  const VkResult waited = vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX);
+  // The work may still be running, and the exception destroys the buffers that it uses.
+  if (waited != VK_SUCCESS) (void)vkDeviceWaitIdle(device_);
+  check(waited, "wait for " + description_.name);
   check(vkResetFences(device_, 1, &fence), "reset the fence of " + description_.name);
 }
 
