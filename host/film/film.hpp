@@ -18,23 +18,22 @@ namespace lavaray {
 // scene, the meshes, the options, the shader. Films with equal identities are parts of one picture.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
-// Where two identities differ, for a reader; empty where they are equal.
+// How two identities differ, in words; empty if they are equal.
 std::string describeDifference(const Identity& mine, const Identity& other);
 
 struct FilmHeader {
   Identity identity;
-  std::string device;  // Another one need not give the same bits.
+  std::string device;  // another one may not give the same bits
   SumKind kind = SumKind::kCenter;
   ImageSize size{};  // of the whole picture
-  Rectangle crop;    // of the picture: what the film is of
-  Rectangle traced;  // of the crop: outside of it all pixels are black; the film has only these pixels
-  // Of each pixel's `samples` in the picture those in the film. A render to a target error counts as one
-  // sample.
+  Rectangle crop;    // the part of the picture that the film is of
+  Rectangle traced;  // the part of the crop whose pixels the film has; all others are black
+  // Which of each pixel's `samples` the film has. A render to a target error counts as one sample.
   SampleRange range{0, 1};
   std::uint32_t samples = 1;
-  bool isComplete = false;  // all that was asked for is in it
-  // The pass that the render is in: its samples (kFixed), how many of its work items are done, and how many
-  // of the others follow the pixels (kTarget).
+  bool isComplete = false;  // everything that was asked for is in it
+  // The pass under way: its samples (kMean), how many of its work items are done, and how many that are not
+  // follow the pixels in the file (kHalves).
   std::uint32_t roundFirst = 0;
   std::uint32_t roundSize = 0;
   std::uint64_t itemsDone = 0;

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 static_assert(std::endian::native == std::endian::little, "film files hold numbers as they are in memory");
 
 constexpr std::string_view kMagic = "lavaray film 2\n";
-// Of the header; more is no film.
+// Of the header; whatever has more is not a film.
 constexpr std::uint64_t kMaxHeaderBytes = 1U << 24U;
 constexpr std::size_t kChunkBytes = 1U << 20U;
 
@@ -84,7 +84,7 @@ std::string hexadecimal(XXH128_hash_t hash) {
   return text;
 }
 
-// XXH3 (Collet 2019), 128 bits: finds damage, not forgery.
+// XXH3 (Collet 2019), 128 bits: it detects damage, not forgery.
 class StreamHash {
  public:
   StreamHash() : state_(XXH3_createState()) { XXH3_128bits_reset(state_); }
@@ -125,7 +125,7 @@ FilmWriter::FilmWriter(std::FILE* stream, const FilmHeader& header)
 FilmWriter::~FilmWriter() = default;
 
 void FilmWriter::write(std::span<const std::byte> bytes) {
-  if (bytes.empty()) return;  // of which the address may be null, which fwrite does not take
+  if (bytes.empty()) return;  // the address may then be null, which fwrite does not allow
   checksum_->add(bytes);
   std::fwrite(bytes.data(), 1, bytes.size(), stream_);
 }
@@ -184,7 +184,7 @@ void FilmReader::readHeader() {
     fail("the film's header is damaged");
 }
 
-// A header that is damaged, too, is noticed here before anything is believed that it says.
+// A damaged header is noticed here as well, before anything that it says is relied on.
 void FilmReader::verify() {
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file_, unknown);

@@ -13,8 +13,8 @@ namespace lavaray {
 // A film file: a line that names the format, the header as JSON with its length before it, the pixels row by
 // row as in memory, the pending work items, and a checksum of all that.
 
-// Writes a film to a stream: the header at once, then whatever is handed to write(), then, by finish(), the
-// checksum. Whether all was written is for the owner of the stream to check.
+// Writes a film to a stream: the header at once, then whatever write() is given, and with finish() the
+// checksum. The owner of the stream checks whether everything was written.
 class FilmWriter {
  public:
   FilmWriter(std::FILE* stream, const FilmHeader& header);
@@ -31,11 +31,10 @@ class FilmWriter {
   std::unique_ptr<Checksum> checksum_;
 };
 
-// A film file, held open. Throws Error(kInput), naming the file, where it is no film, is damaged or ends
-// early.
+// An open film file. Throws Error(kInput), naming the file, if it is not a film, is damaged or ends early.
 class FilmReader {
  public:
-  // Checks the whole file against its length and its checksum, reading it once.
+  // Reads the whole file once to verify its length and its checksum.
   explicit FilmReader(const std::filesystem::path& file);
   ~FilmReader();
   FilmReader(const FilmReader&) = delete;
@@ -44,9 +43,9 @@ class FilmReader {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] const FilmHeader& header() const { return header_; }
 
-  // Reads the pixels of row `row` of header().traced into `bytes`, which is as long as they are.
+  // Reads the pixels of row `row` of header().traced into `bytes`, which must be of their length.
   void readRow(int row, std::span<std::byte> bytes);
-  // Likewise all pixels, or all pending work items.
+  // Likewise for all pixels, and for all pending work items.
   void readPixels(std::span<std::byte> bytes);
   void readItems(std::span<std::byte> bytes);
 

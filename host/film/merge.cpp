@@ -9,7 +9,7 @@
 namespace lavaray {
 namespace {
 
-// Of what is wrong with parts a message names so many at most.
+// A message names at most this many of the things that are wrong with the parts.
 constexpr std::size_t kMaxNamed = 12;
 
 class Complaints {
@@ -30,13 +30,13 @@ class Complaints {
   std::string text_;
 };
 
-// The places at which something begins or ends, each once, from `first` to `last`.
-std::vector<int> cuts(std::vector<int> places, int first, int last) {
-  places.insert(places.end(), {first, last});
-  std::erase_if(places, [&](int place) { return place < first || place > last; });
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  return places;
+// The positions from `first` to `last` at which something begins or ends, each once.
+std::vector<int> cuts(std::vector<int> positions, int first, int last) {
+  positions.insert(positions.end(), {first, last});
+  std::erase_if(positions, [&](int position) { return position < first || position > last; });
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  return positions;
 }
 
 bool contains(const Rectangle& outer, const Rectangle& inner) {
@@ -49,7 +49,7 @@ std::string describe(const Rectangle& cell, std::uint32_t first, std::uint32_t e
          ':' + std::to_string(end);
 }
 
-// Checks the samples of a cell that each part has wholly or not at all.
+// Checks the samples of a cell, of which each part has either all or none.
 void checkCell(const Rectangle& cell, std::vector<const FilmReader*> parts, std::uint32_t samples,
                Complaints& complaints) {
   std::sort(parts.begin(), parts.end(), [](const FilmReader* a, const FilmReader* b) {
@@ -70,7 +70,7 @@ void checkCell(const Rectangle& cell, std::vector<const FilmReader*> parts, std:
   if (covered < samples) complaints.add(describe(cell, covered, samples) + " are in no part");
 }
 
-// What the bytes of a pixel hold.
+// The record that a pixel's bytes hold.
 template <typename Record>
 Record recordAt(std::span<const std::byte> bytes, std::size_t index) {
   Record record;

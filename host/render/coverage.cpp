@@ -15,14 +15,14 @@ namespace {
 // those in front of it.
 constexpr int kLevels = 4;
 
-// Extends `bounds` by the projections of the boxes below the node; false where one is not in front of the
-// camera.
+// Extends `bounds` by the projections of the boxes below the node; returns false if one is not in front of
+// the camera.
 bool extendBelow(const GpuScene& scene, gpu::uint index, int levels, const ImageSize& size,
                  PixelBounds& bounds) {
   const gpu::BvhNode& node = scene.nodes[index];
   for (int i = 0; i < static_cast<int>(gpu::kNodeWidth); ++i) {
     const Box box = childBox(node, i);
-    // A child that is not there, or one behind the camera, which nothing sees directly.
+    // There is no such child, or it is behind the camera, where nothing sees it directly.
     if (box.lower.x > box.upper.x || box.lower.z > 0.0F) continue;
     if (node.children[i] <= gpu::kMaxReference && levels > 0) {
       if (!extendBelow(scene, node.children[i], levels - 1, size, bounds)) return false;

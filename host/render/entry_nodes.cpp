@@ -23,7 +23,7 @@ struct Slopes {
   glm::dvec2 upper;
 };
 
-// From the whole area down to its tiles, each of which begins where the square around it ended.
+// Descends from the whole area to its tiles, each of which goes on where the square around it has stopped.
 class Search {
  public:
   Search(const GpuScene& scene, const RenderSettings& settings, const Rectangle& area, EntryNodes& result)
@@ -33,7 +33,7 @@ class Search {
     margin_ = filterRadius(settings.filter) + kRoundingPixels;
   }
 
-  // Sets the groups of the tiles in a square of 2^level of them. All that they reach is in `group`.
+  // Sets the groups of the tiles in a square of 2^level by 2^level. `group` holds everything that they reach.
   void run(std::uint32_t x, std::uint32_t y, std::uint32_t level, gpu::uint group) {
     if (x >= result_.across || y >= down()) return;
     group = descend(group, slopes(x, y, level));
@@ -80,10 +80,10 @@ class Search {
     return group;
   }
 
-  // Whether a point of the box, which may be a child that is not there, lies in one of the directions.
+  // Whether a point of the box lies in one of the directions; never for a child that is not there.
   static bool reaches(const Slopes& slopes, const Box& box) {
     if (box.lower.x > box.upper.x || box.lower.z > 0.0F) return false;
-    // Distances before the camera, where the bounds of the directions are farthest out.
+    // The bounds of the directions are farthest out at one of these distances from the camera.
     const std::array<double, 2> depths{std::max(0.0, -double{box.upper.z}), -double{box.lower.z}};
     const auto isBeyond = [&](double bound, double side) {
       return side > std::max(bound * depths[0], bound * depths[1]);

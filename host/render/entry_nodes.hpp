@@ -11,8 +11,7 @@ namespace lavaray {
 // Where the camera rays of each tile of pixels enter the hierarchy: at one child of one node, as a packed
 // group (see interface.h), since they can reach nothing else, or nowhere (0).
 struct EntryNodes {
-  std::uint32_t
-      shift;  // tiles are squares of 2^shift pixels, those at the right and at the bottom may be less
+  std::uint32_t shift;            // tiles are squares of 2^shift pixels, smaller at the right and the bottom
   std::uint32_t across;           // tiles in a row
   std::vector<gpu::uint> groups;  // row by row, padded to whole texels
 };

@@ -11,11 +11,11 @@
 
 namespace lavaray {
 
-// Takes the next row of a picture, from the top, three values a pixel.
+// Takes the next row of a picture, from the top, three values per pixel.
 using TakeRow = std::function<void(std::span<const float> rgb)>;
 
-// Makes the rows of a picture of the values of a part of it, which come pixel by pixel in the same order. All
-// else is black.
+// Makes the rows of a picture from the values of a part of it, which come pixel by pixel in the same order.
+// Everything else is black.
 class PictureRows {
  public:
   PictureRows(const Rectangle& picture, const Rectangle& part)
@@ -25,13 +25,13 @@ class PictureRows {
         y_(picture.y0),
         row_(3 * static_cast<std::size_t>(picture.x1 - picture.x0)) {}
 
-  // The next value. A row that it completes is taken, and those above the part, too.
+  // Adds the next value. A row that it completes is taken, after those above the part.
   void add(const glm::vec3& value, const TakeRow& take) {
     while (y_ < part_.y0) endRow(take);
     std::copy_n(&value.x, 3, &row_[3 * static_cast<std::size_t>(x_ - picture_.x0)]);
     if (++x_ == part_.x1) endRow(take);
   }
-  // No more values come: what is left of the rows is black.
+  // No more values will come: what is left of the rows is black.
   void finish(const TakeRow& take) {
     while (y_ < picture_.y1) endRow(take);
   }

@@ -8,8 +8,8 @@
 
 namespace lavaray {
 
-// How far a camera ray may miss a box by that the shader, which rounds, still finds it to hit; far more than
-// the rounding amounts to.
+// A camera ray that misses a box by less than this may still hit it in the shader, which rounds. Its rounding
+// is far smaller.
 inline constexpr double kRoundingPixels = 0.5;
 
 struct PixelBounds {
@@ -21,7 +21,7 @@ struct PixelBounds {
 // the camera's coordinates and lies in front of it: box.upper.z < 0.
 PixelBounds project(const Box& box, const ImagePlane& plane, const ImageSize& size);
 
-// The pixels of `part` that have a point in the bounds; empty (x0 == x1 or y0 == y1) where none has.
+// The pixels of `part` that have a point within the bounds; empty (x0 == x1 or y0 == y1) if none has.
 Rectangle pixelsIn(const PixelBounds& bounds, const Rectangle& part);
 
 }  // namespace lavaray

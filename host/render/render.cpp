@@ -7,8 +7,8 @@
 namespace lavaray {
 namespace {
 
-// The area of the crop to trace; all else is black, unless a shader of the user's knows better. The plan for
-// a target error and the other views are about all pixels.
+// The area of the crop to trace. Everything else is black, though a user's shader may see it differently. The
+// plan for a target error and the other views need all pixels.
 Rectangle tracedArea(const GpuScene& scene, const RenderSettings& settings) {
   const bool isAboutAll = settings.targetError || settings.view != View::kColor || !settings.shader.empty();
   return isAboutAll || !settings.specialized ? settings.crop : coverage(scene, settings);
@@ -72,7 +72,7 @@ double Render::shareDone() const {
   return std::clamp(timeShare, lavaray::shareDone(*sampling_), 1.0);
 }
 
-// Those that are known to be black have no samples, or only such as the plan counts and nobody traces.
+// Pixels known to be black have no samples, or only some that the plan counts but nobody traces.
 std::uint64_t Render::sampledPixels() const {
   return isTraced() ? area_.pixels() - tracer_->skippedPixels() : 0;
 }
@@ -109,7 +109,7 @@ void Render::forEachRow(const TakeRow& take) const {
     std::vector<glm::vec3> values(static_cast<std::size_t>(area_.width()));
     const float largest = settings_.view == View::kSamples ? static_cast<float>(sampling_->sums.maxSamples())
                                                            : largestMeasure();
-    const float white = largest > 0.0F ? largest : 1.0F;  // The value that is shown as 1.
+    const float white = largest > 0.0F ? largest : 1.0F;  // the value that is shown as 1
     for (std::uint64_t first = 0; first < area_.pixels(); first += values.size()) {
       copyShown(first, values);
       for (const glm::vec3& value : values) rows.add(value / white, take);
@@ -118,7 +118,7 @@ void Render::forEachRow(const TakeRow& take) const {
   rows.finish(take);
 }
 
-// One value for each pixel of the crop: of the traced ones by their number.
+// One value for each pixel of the crop; `value` gives those of the area by pixel number.
 template <typename Value>
 std::vector<float> Render::valuesOfCrop(float elsewhere, const Value& value) const {
   const Rectangle& crop = settings_.crop;
@@ -176,7 +176,8 @@ void Render::writeFilm(std::FILE* stream, const Identity& identity) const {
   film.finish();
 }
 
-// What the view shows of the pixels from number `first` on, measures and numbers of samples as they are.
+// What the view shows of the pixels from number `first` on; measures and numbers of samples are not yet
+// scaled.
 void Render::copyShown(std::uint64_t first, std::span<glm::vec3> values) const {
   if (settings_.view == View::kSamples) {
     for (glm::vec3& value : values) value = glm::vec3(static_cast<float>(sampling_->sums.samples(first++)));
@@ -196,7 +197,7 @@ float Render::measureOf(std::uint64_t pixel) const {
   return static_cast<float>(measure(settings_.view, sums.sum(pixel), sums.samples(pixel)));
 }
 
-// 0 where the view is none.
+// 0 if the view is not a measure.
 float Render::largestMeasure() const {
   float largest = 0.0F;
   for (std::uint64_t pixel = 0; isMeasure(settings_.view) && pixel < area_.pixels(); ++pixel)

@@ -19,10 +19,10 @@
 namespace lavaray {
 
 struct RenderResult : RenderStatistics {
-  Image image;  // of the crop's size; black where no sample was taken
+  Image image;  // of the crop; black where no sample was taken
 };
 
-// A render of settings.crop. Between two batches of work it can be looked at and kept.
+// A render of settings.crop, which can be looked at and kept between two batches of work.
 class Render {
  public:
   // The device and the scene must outlive it. Throws Error(kDevice) where the scene does not fit the device.
@@ -32,29 +32,29 @@ class Render {
   // of this render. Throws Error(kInput) where it cannot be read.
   void resumeFrom(FilmReader& film);
 
-  // Is called about ten times a second and returns whether to go on.
+  // Called about ten times a second; returns whether to go on.
   using Proceed = std::function<bool()>;
   // Where no picture is kept, each row is taken as soon as it is complete. Throws Error(kDevice) where the
   // device fails or cannot finish a ray.
   void run(const Proceed& proceed, const TakeRow& take = {});
-  // Hands over the rows that run has not: all of them where the picture is kept, as often as it is called.
+  // Hands over the rows that run() has not: if the picture is kept all of them, each time it is called.
   void handOverRows(const TakeRow& take);
 
   [[nodiscard]] std::chrono::duration<double> elapsed() const;
   [[nodiscard]] double shareDone() const;  // in [0, 1]; estimated where there is a target or a time limit
-  // In the mean over the pixels in which something can show, those of a film included.
+  // Averaged over the pixels in which something can show; includes the samples of a film.
   [[nodiscard]] double samplesPerPixel() const;
   [[nodiscard]] double estimatedError() const;  // RMSE, where there is a target, else 0
-  // As far as it is known, where the picture is kept; black where no sample was taken.
+  // The picture so far, where it is kept; black where no sample was taken.
   [[nodiscard]] Image image() const;
   [[nodiscard]] RenderStatistics statistics() const;
 
-  // Of each pixel of the crop: its samples, those that are known to be black without one among them, and its
-  // estimated error, in units of a colour.
+  // Of each pixel of the crop: the number of its samples, as if those known to be black had been sampled too,
+  // and its estimated error, in units of a colour.
   [[nodiscard]] std::vector<float> pixelSamples() const;
   [[nodiscard]] std::vector<float> pixelErrors() const;
 
-  // Writes all there is, to go on from; the view is the colour.
+  // Writes everything that it takes to resume; the view must be the colour.
   void writeFilm(std::FILE* stream, const Identity& identity) const;
 
  private:
@@ -78,14 +78,14 @@ class Render {
   std::uint64_t earlierSamples_ = 0;  // of a film, in pixels that are sampled
   Clock::time_point start_;
   StopReason stopReason_ = StopReason::kFinished;
-  bool isComplete_ = false;  // all is done that was asked for
+  bool isComplete_ = false;  // everything that was asked for is done
 };
 
 // An upper bound, or nearly so, of the bytes of the host's memory that a render with these settings takes for
 // its pixels. The device's buffers come on top, and whatever the caller makes of the picture.
 std::uint64_t hostBytes(const RenderSettings& settings);
 
-// Renders all at once.
+// Renders everything at once.
 RenderResult render(vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings);
 
 }  // namespace lavaray

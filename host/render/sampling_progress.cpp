@@ -91,7 +91,7 @@ void resumeFrom(FilmReader& film, SamplingProgress& progress) {
   progress.sums.restored(header.itemsDone);
   progress.itemsDone = header.itemsDone;
   if (progress.plan) {
-    // The plan of a pass cannot be made again from sums that have some of its results, so what is left of it
+    // A pass cannot be planned again from sums that already have some of its results, so what is left of it
     // is in the film.
     progress.plan->resumeFrom(progress.sums.halves());
     std::vector<gpu::WorkItem> pending(header.itemsPending);

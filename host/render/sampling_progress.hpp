@@ -12,7 +12,7 @@
 
 namespace lavaray {
 
-// How far the samples of a render have come.
+// How far a render's sampling has come.
 struct SamplingProgress {
   std::uint64_t pixels;
   std::optional<SampleRange> range;  // of every pixel; none where there is a plan
@@ -22,25 +22,25 @@ struct SamplingProgress {
   std::uint64_t itemsDone = 0;  // of the pass
 };
 
-// For an area of the picture. With a target error that is the whole crop.
+// For an area of the picture, which with a target error must be the whole crop.
 SamplingProgress beginSampling(const GpuScene& scene, const RenderSettings& settings, const Rectangle& area);
 
-// Chooses the next pass once the one before is done. False where nothing is left to do.
+// Chooses the next pass once the one before is done. Returns false if nothing is left to do.
 bool beginPass(SamplingProgress& progress);
 
 // Adds the results of the pass's next items.
 void add(SamplingProgress& progress, std::span<const gpu::WorkResult> results);
 
-// In [0, 1]; with a target error as far as can be told now.
+// In [0, 1]; with a target error it is an estimate.
 double shareDone(const SamplingProgress& progress);
 double estimatedError(const SamplingProgress& progress);  // RMSE, where there is a target, else 0
 
-// An upper bound, or nearly so, of the items of a pass.
+// An upper bound, or nearly so, of the number of items of a pass.
 std::uint64_t maxItems(const RenderSettings& settings, std::uint64_t pixels);
-// The bytes that all this takes in memory.
+// The memory that all this takes, in bytes.
 std::uint64_t samplingBytes(const RenderSettings& settings, std::uint64_t pixels);
 
-// Fills in what a film's header says of samples, writes what comes behind it, and reads both again, after
+// These fill in what a film's header says about samples, write what follows it, and read both again, after
 // which everything is as it was.
 void describe(const SamplingProgress& progress, FilmHeader& header);
 void write(const SamplingProgress& progress, FilmWriter& film);

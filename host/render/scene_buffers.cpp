@@ -34,7 +34,7 @@ std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& 
   const auto upload = [&]([[maybe_unused]] gpu::uint binding, const char* name,
                           std::span<const std::byte> content) {
     assert(binding == buffers.size());
-    // Vulkan knows no empty buffer; the pipeline of a scene without such things never reads this one.
+    // Vulkan has no empty buffers; the pipeline of a scene without these things never reads this one.
     static constexpr std::array<std::byte, 64> kNothing{};
     buffers.push_back(vulkan::Buffer::uploaded(device, name, use, content.empty() ? kNothing : content));
   };

@@ -7,12 +7,12 @@
 
 namespace lavaray {
 
-// How shaders read the scene's arrays on the device: as texels, which is the faster way on lavapipe, or,
-// where one has more of them than the device allows, as storage buffers.
+// How shaders read the scene's arrays: as texels, which is faster on lavapipe, or as storage buffers if an
+// array has more texels than the device allows.
 vulkan::BufferUse sceneUse(const vulkan::Device& device, const GpuScene& scene);
 
-// The scene's arrays on the device, in the order of their bindings (gpu::kBindingNodes and on); a shader's
-// own buffers follow. Throws Error(kDevice) where an array is larger than the device lets a shader reach.
+// The scene's arrays on the device, in the order of their bindings, from gpu::kBindingNodes on; a shader's
+// own buffers follow. Throws Error(kDevice) if an array is larger than what a shader can reach.
 std::vector<vulkan::Buffer> uploadScene(vulkan::Device& device, const GpuScene& scene,
                                         vulkan::BufferUse use = vulkan::BufferUse::kTexels);
 

@@ -10,7 +10,7 @@
 namespace lavaray {
 namespace {
 
-// A batch never has more items, so that the buffers stay small whatever the picture's size.
+// Limits the buffers, whatever the picture's size.
 constexpr std::uint64_t kMaxBatchItems = std::uint64_t{1} << 20U;
 constexpr double kFirstBatchRays = 1U << 15U;
 constexpr double kBatchSeconds = 0.1;
@@ -29,7 +29,7 @@ gpu::DispatchConstants dispatchConstants(const GpuScene& scene, const RenderSett
   return constants;
 }
 
-// About as long as any other batch, though nothing is known yet of the scene's rays.
+// Nothing is known yet of how long the scene's rays take; more lights mean more rays per item.
 double firstBatchItems(const PipelineVariant& variant) {
   return std::max(double{gpu::kWorkGroupSize}, kFirstBatchRays / (1.0 + variant.lights));
 }
@@ -98,14 +98,14 @@ bool Tracer::run(const SamplePass& pass, std::uint64_t first, const TakeResults&
 }
 
 void Tracer::adaptBatch(double seconds) {
-  // The first batch's time says nothing: drivers compile the shader in it.
+  // The time of the first batch says nothing, since drivers compile the shader in it.
   const double factor = isWarm_ ? std::clamp(kBatchSeconds / seconds, 0.25, 4.0) : 4.0;
   batchItems_ =
       std::clamp(batchItems_ * factor, double{gpu::kWorkGroupSize}, static_cast<double>(kMaxBatchItems));
   isWarm_ = true;
 }
 
-// Returns how many items there are to trace.
+// Returns the number of items to trace.
 std::uint32_t Tracer::makeBatch(const SamplePass& pass, std::uint64_t first, std::uint32_t count) {
   constants_.firstPixel = static_cast<gpu::uint>(first);
   if (takesCenters_) {
@@ -140,7 +140,8 @@ void Tracer::takeBatch(std::uint64_t first, std::uint32_t count, const TakeResul
 
 vulkan::ComputeShader Tracer::makeShader(bool resumable) {
   if (resumable) {
-    direct_.reset();  // it is bound to the buffer that is replaced here, and this scene needs the other one
+    direct_.reset();  // it is bound to the buffer that is replaced here, and the scene turned out to need the
+                      // other one
     buffers_[gpu::kBindingStates] =
         vulkan::Buffer::shared(device_, "unfinished work", capacity_ * sizeof(gpu::WorkState));
   }

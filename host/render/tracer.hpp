@@ -17,14 +17,14 @@ namespace lavaray {
 struct TraceCounts {
   std::uint64_t dispatches = 0;
   std::uint64_t samples = 0;         // camera rays
-  std::uint64_t skippedSamples = 0;  // through tiles of the picture in which there is nothing
-  // These are counted where the settings ask for it.
+  std::uint64_t skippedSamples = 0;  // through tiles of the picture that show nothing
+  // These are counted only if the settings ask for it.
   std::uint64_t shadowRays = 0;
   std::uint64_t skippedShadowRays = 0;  // their light would add nothing, or nothing that shows
   std::uint64_t mirrorRays = 0;
 };
 
-// A scene on a device, with the pipeline for what the scene has: it takes samples of the pixels of an area of
+// A scene on a device, with the pipeline for what the scene has. It takes samples of the pixels of an area of
 // the picture.
 class Tracer {
  public:
@@ -71,10 +71,10 @@ class Tracer {
   double batchItems_;                    // of the next batch
   bool isWarm_ = false;                  // after the first batch
   std::vector<vulkan::Buffer> buffers_;  // by binding
-  // One of them: the first, where the variant finishes items, until it gives one up.
+  // One of the two: the first if the variant finishes items, until it gives up on one.
   std::optional<vulkan::ComputeShader> direct_;
   std::optional<vulkan::ComputeShader> resumable_;
-  // Of a batch where tiles are skipped: the numbers of the items that are traced, and all results.
+  // Of a batch with skipped tiles: the numbers of the items that are traced, and the results of all.
   std::vector<std::uint32_t> traced_;
   std::vector<gpu::WorkResult> allResults_;
   TraceCounts counts_;

@@ -10,7 +10,7 @@
 namespace lavaray {
 namespace {
 
-// A shader of the user's reads texels.
+// A user's shader reads texels.
 bool readsStorage(const vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings) {
   if (!settings.shader.empty()) return false;
   return settings.sceneInStorage || sceneUse(device, scene) == vulkan::BufferUse::kStorage;
@@ -46,14 +46,14 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
   return values;
 }
 
-// Where nothing is, a sample is black, unless a shader of the user's knows better. One sample of each pixel
-// is as fast as a list of the pixels where something is.
+// Where there is nothing a sample is black, though a user's shader may see it differently. One sample of each
+// pixel is as fast as a list of the pixels where something is.
 bool skipsEmptyTiles(const GpuScene& scene, const RenderSettings& settings) {
   if (!settings.specialized || takesCenters(settings) || !settings.shader.empty()) return false;
   return scene.planes.empty() && !scene.hasFewPrimitives;
 }
 
-// Of a work item; an upper bound.
+// An upper bound for one work item.
 std::uint64_t shadowRays(const PipelineVariant& variant, const GpuScene& scene) {
   const std::uint64_t directions = scene.hasSphericalLights ? gpu::kClampedLightDirections : 1;
   return std::uint64_t{gpu::kMaxSamplesPerItem} * directions * variant.lights *

@@ -15,20 +15,20 @@ struct PipelineVariant {
   std::span<const std::uint32_t> shader;      // SPIR-V
   vulkan::BufferUse sceneUse;                 // how it reads the scene
   std::vector<std::uint32_t> specialization;  // by gpu::kSpec...
-  std::uint32_t lights = 0;                   // that it traces shadow rays to
+  std::uint32_t lights = 0;                   // to which it traces shadow rays
   std::uint32_t maxDepth = 0;                 // mirror bounces
-  // Tiles of the picture in which nothing can be seen are skipped, and so are not traced.
+  // Tiles of the picture that can show nothing are not traced.
   bool skipsEmptyTiles = false;
-  // Without it an item may be left half done and resumed, which takes a buffer more (gpu::kSpecResumable).
-  // Where it is set, and a device ends an item's loops all the same, the resumable pipeline takes over.
+  // Whether a dispatch is expected to finish its items. If not, the pipeline is one that can leave them half
+  // done and resume them, which takes another buffer (gpu::kSpecResumable); it also takes over where the
+  // expectation turns out wrong.
   bool finishesItems = false;
 };
 
 PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scene,
                               const RenderSettings& settings);
 
-// The SPIR-V that a render with these settings runs for a scene with few primitives, or more, where its
-// arrays are not too large for texels.
+// The SPIR-V that a render with these settings runs if the scene's arrays are small enough for texels.
 std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives);
 
 // The specialization constants that say what the scene has; all others are 0.

@@ -65,7 +65,7 @@ bool isMeasure(View view) {
 
 double measure(View view, const glm::dvec3& sum, std::uint32_t samples) {
   if (view == View::kCost) return samples > 0 ? sum.x / samples : 0.0;
-  // Samples that hit nothing have no distance, and none is the background's.
+  // Samples that hit nothing have no distance; the background's is 0.
   return sum.y > 0.0 ? sum.x / sum.y : 0.0;
 }
 

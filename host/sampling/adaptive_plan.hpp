@@ -19,8 +19,8 @@ struct AdaptiveGoal {
 // Decides which pixels get more samples until the image's root-mean-square error is at most a target.
 //
 // A pixel's samples are one stratified sequence, of which it has a power of two, so that its halves tell its
-// error (see ErrorEstimate). Samples go where one more lowers the error most (see SampleAllocation). Pure
-// arithmetic: it traces nothing, and the sums of the samples are the caller's.
+// error (see ErrorEstimate). Samples go where one more lowers the error most (see SampleAllocation). This is
+// pure arithmetic: nothing is traced, and the sums of the samples are the caller's.
 class AdaptivePlan {
  public:
   // The pixels of small objects, numbered row by row, get more samples to begin with.

@@ -24,17 +24,17 @@ constexpr float kUsualRatePixels = 2.0F;
 
 // Pixels to each side of a pixel that tell the rate there.
 constexpr int kReach = 2;
-// On a slope of shading that runs straight through pixels, two neighbours' squared contrast is at most so
-// many times the variance within one: 12 across the pixels' sides, and as much again for chance.
+// On a straight slope of shading the squared contrast between two neighbours is at most this many times the
+// variance within one: 12 across the pixels' sides, and as much again for chance.
 constexpr float kSlopeContrast = 24.0F;
-// The edge that crosses a neighbour explains their contrast, unless it covers more than three quarters of it
-// and so comes near: p^2 > 3 p (1 - p) where p > 3/4.
+// An edge that crosses a neighbour explains the contrast to it, unless it covers more than three quarters of
+// the neighbour and so comes close: p^2 > 3 p (1 - p) where p > 3/4.
 constexpr float kNeighbourContrast = 3.0F;
-// Two samples' variance is 1/7 of the squared slope of smooth shading. It is smooth below the first of these
-// shares and is not above the second; the rest is left to chance.
+// Where shading is smooth, the variance of two samples is 1/7 of its squared slope. Below the first of these
+// shares it counts as smooth, above the second as not; what lies between may be chance.
 constexpr float kSmoothShare = 0.35F;
 constexpr float kRoughShare = 0.7F;
-// Of the pixels that differ from a neighbour, how many have an edge that was missed. Measured: a higher
+// The share of the pixels differing from a neighbour that have an edge that was missed. Measured: a higher
 // share undershoots the target for nothing, a lower one overshoots it.
 constexpr float kUnseenShare = 0.05F;
 
@@ -43,19 +43,19 @@ auto meanSquare(const Vector& v) {
   return (v.r * v.r + v.g * v.g + v.b * v.b) / 3;
 }
 
-// Where two pixels differ there may be an edge that happens to lie beyond all samples of either. Of an edge
-// that covers a share c of the pixel, all c alike, and that n samples have missed, c^2 is 2 / ((n + 2) (n +
-// 3)) in the mean.
+// Where two pixels differ there may be an edge that happens to lie beyond all samples of either. If an edge
+// covers a share c of the pixel, every c being equally likely, and n samples have missed it, the mean of c^2
+// is 2 / ((n + 2) (n + 3)).
 float unseenEdge(float squaredContrast, float samples) {
   return kUnseenShare * squaredContrast * 2.0F / ((samples + 2.0F) * (samples + 3.0F));
 }
 
-// How much a neighbour's variance says of a pixel's own, of which n samples are known. In a penumbra where
-// few samples are blocked a pixel may have met none and be as hard as one that has: their contrast is small
-// against the variance. Beside an edge the contrast is large. If the neighbour's samples have two values, one
-// of them the pixel's own, they have the other one with this probability q, and (1 - q)^n is the chance that
-// the pixel has met none though it is alike; taken twice, as the variance is itself a guess. As (1 - n q /
-// 4)^8, which is nearly that, without an exponential function.
+// How much a neighbour's variance says about a pixel's own, of which n samples are known. In a penumbra where
+// few samples are blocked, a pixel may have met none of them and yet be as hard as one that has: their
+// contrast is small compared with the variance. Beside an edge the contrast is large. If the neighbour's
+// samples have two values, one of them the pixel's own, q is the probability of the other one, and (1 - q)^n
+// is the chance that a pixel of the same kind has met none. It is squared, since the variance is itself a
+// guess, and computed as (1 - n q / 4)^8, which is nearly the same and needs no exponential function.
 float likeness(float squaredContrast, float neighbourVariance, float n) {
   if (squaredContrast == 0.0F) return 1.0F;
   const float q = squaredContrast / (squaredContrast + neighbourVariance);
@@ -100,7 +100,7 @@ void ErrorEstimate::update(std::span<const HalfSums> sums) {
 
 void ErrorEstimate::updateRow(int y) {
   const auto columns = static_cast<std::size_t>(width_);
-  std::vector<std::uint8_t> marks(columns + 2 * kReach);  // of the rows around, with a margin
+  std::vector<std::uint8_t> marks(columns + 2 * kReach);  // of the rows around, with margins
   for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v) {
     const std::uint8_t* row = &isMarked_[static_cast<std::size_t>(v) * columns];
     for (std::size_t x = 0; x < columns; ++x) marks[x + kReach] |= row[x];
@@ -120,7 +120,7 @@ ErrorEstimate::Statistics ErrorEstimate::statistics(const HalfSums& sums) {
   const double n = all.samples();
   const double squares = PixelSum::toDouble(sums.squares);
   const double variance = std::max(0.0, squares - n * meanSquare(mean)) / (n - 1.0);
-  // The two first samples are not kept apart: there the variance says the same.
+  // The first two samples are not kept apart; there the variance says the same.
   const double difference =
       n > 2.0 ? meanSquare((sums.halves[0].mean() - sums.halves[1].mean()) / 2.0) : variance / 2.0;
   return {glm::vec3(mean), static_cast<float>(variance), static_cast<float>(difference * n * std::sqrt(n)),
@@ -177,7 +177,7 @@ PixelClass ErrorEstimate::classOf(int x, int y) const {
   const auto n = static_cast<float>(1U << static_cast<unsigned>(own.sampleStep));
   float variance = 0.0F;
   float weights = 0.0F;
-  float unexplained = 0.0F;  // the most squared contrast that no variance explains
+  float unexplained = 0.0F;  // the largest squared contrast that no variance explains
   for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
     for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
       const Statistics& neighbour = statistics_[static_cast<std::size_t>(v) * width_ + u];

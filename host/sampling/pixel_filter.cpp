@@ -24,7 +24,7 @@ Shape shapeOf(PixelFilter filter) {
     case PixelFilter::kTent:
       return {1.0, [](double x) { return 1.0 - std::abs(x); }};
     case PixelFilter::kGaussian:
-      // Lowered so that it ends in zero.
+      // Lowered so that it ends at zero.
       return {1.5, [](double x) { return std::exp(-2.0 * x * x) - std::exp(-2.0 * 1.5 * 1.5); }};
     case PixelFilter::kBlackmanHarris:
       // Harris, "On the Use of Windows for Harmonic Analysis with the Discrete Fourier Transform", 1978.
@@ -79,7 +79,7 @@ std::vector<float> filterTable(PixelFilter filter) {
   for (int step = 0; step < kSteps; ++step) {
     const double weight = shape.weight(middle(step));
     below += weight;
-    // Where this step passes the next entries' share, they lie within it.
+    // Entries whose share this step passes lie within the step.
     for (double share = 0.0; static_cast<int>(table.size()) < kTableSize - 1;) {
       share = total * static_cast<double>(table.size()) / (kTableSize - 1);
       if (share > below) break;

@@ -23,7 +23,7 @@ std::string pixelFilterName(PixelFilter filter);
 double filterRadius(PixelFilter filter);
 
 // The inverse of the filter's distribution function in one dimension: entry i is the offset from the centre,
-// in pixels, that a share i / (size - 1) of the filter lies below. Empty for the box, whose inverse is
+// in pixels, below which a share i / (size - 1) of the filter lies. Empty for the box, whose inverse is
 // linear.
 std::vector<float> filterTable(PixelFilter filter);
 

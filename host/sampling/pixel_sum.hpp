@@ -6,13 +6,13 @@
 
 namespace lavaray {
 
-// The sum of a pixel's samples in fixed point: sums of samples add up without rounding, so the mean does not
-// depend on the order or the grouping in which they arrive. A sample's rounding, 2^-41, is far below what a
-// float32 image shows, and 2^22 samples fit.
+// The sum of a pixel's samples in fixed point. It adds up without rounding, so the mean does not depend on
+// the order in which samples arrive, nor on how they are grouped. The rounding of a single sample, 2^-41, is
+// far below what a float32 image shows, and there is room for 2^22 samples.
 class PixelSum {
  public:
-  // To the nearest, halves away from 0, as std::llround does, which is a call for each of millions of values.
-  // A float's 24 bits leave room for the half that is added.
+  // Rounds to nearest, halves away from 0, as std::llround would, but without a function call for each of
+  // millions of values. A float's 24 bits leave room for the half that is added.
   static std::int64_t toFixedPoint(float value) {
     const double scaled = static_cast<double>(value) * kOne;
     return static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
@@ -39,14 +39,14 @@ class PixelSum {
   static constexpr double kOne = 0x1p40;
   std::int64_t sum_[3] = {0, 0, 0};
   std::uint32_t samples_ = 0;
-  std::uint32_t padding_ = 0;  // Films hold these bytes, so none is left to chance.
+  std::uint32_t padding_ = 0;  // films hold these bytes, so none may be left to chance
 };
 
-// The sums of the first and the second half of a pixel's samples, which are a power of two; two samples are
-// both in the first.
+// The sums of the first and of the second half of a pixel's samples, whose number is a power of two. If there
+// are only two, both are in the first half.
 struct HalfSums {
   PixelSum halves[2];
-  // Sum over the samples of the mean over the channels of the squared colour, in fixed point as the others.
+  // The squared colour, averaged over the channels and summed over the samples, in the same fixed point.
   std::int64_t squares = 0;
 };
 

@@ -12,7 +12,7 @@ using convergence::kRateSteps;
 using convergence::kSampleSteps;
 using convergence::rateAt;
 
-// Squared errors are kept as a float's exponent and two bits of its mantissa, counted from 2^-60 on.
+// Squared errors are kept as a float's exponent and two bits of its mantissa, counted up from 2^-60.
 constexpr unsigned kDroppedBits = 21;
 constexpr std::uint32_t kMinErrorStep = (127U - 60U) << 2U;
 constexpr std::uint32_t kErrorSteps = PixelClass::kCount / (kRateSteps * kSampleSteps);
@@ -59,9 +59,9 @@ SampleAllocation::SampleAllocation(std::span<const PixelClass> pixels, double go
   }
   if (squaredError_ <= goal) return;
 
-  // The highest price of a sample, and so the fewest samples, for which the error is the goal. A step is as
-  // much as a doubling loses of its gain when it is made, at least, so that the last price is low enough for
-  // anything.
+  // Finds the highest price per sample, and so the fewest samples, at which the error reaches the goal. Each
+  // doubling takes at most four from the logarithm of the gain, so the lowest price is low enough for any
+  // growth.
   double low = minGain - 4.0 * kSampleSteps;
   double high = maxGain;
   while (high - low > 0.02) {
@@ -81,8 +81,8 @@ SampleAllocation::SampleAllocation(std::span<const PixelClass> pixels, double go
   }
 }
 
-// Samples are doubled as long as each lowers the squared error by more than its price; a doubling gains
-// 2^-(rate + 1) of what the one before it has gained for a sample.
+// Samples are doubled as long as each of them lowers the squared error by more than its price. A doubling
+// gains 2^-(rate + 1) times as much per sample as the one before.
 int SampleAllocation::growthAt(const Offer& offer, double logPrice, int maxSampleStep) {
   const int room = std::max(0, maxSampleStep - offer.pixel.sampleStep());
   const double doublings = (offer.doublingGain - logPrice) / (rateAt(offer.pixel.rateStep()) + 1.0);

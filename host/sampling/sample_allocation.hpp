@@ -9,16 +9,16 @@
 
 namespace lavaray {
 
-// All that an allocation knows of a pixel: the squared error of its mean, at which rate that converges, and
-// how many samples it has. Quantised to 16 bits, so that allocating for a million pixels means allocating for
-// a thousand classes.
+// All that an allocation knows of a pixel: the squared error of its mean, the rate at which it converges,
+// and how many samples it has. Quantised to 16 bits, so that allocating for a million pixels means allocating
+// for a thousand classes.
 class PixelClass {
  public:
   static constexpr std::size_t kCount =
       std::size_t{256} * convergence::kRateSteps * convergence::kSampleSteps;
 
   PixelClass() = default;
-  // squaredError >= 0, kept within 13 %; below 2^-60 it is none at all.
+  // squaredError >= 0, kept to within 13 %; what is below 2^-60 becomes 0.
   PixelClass(float squaredError, int rateStep, int sampleStep);
   explicit PixelClass(std::size_t index) : index_(static_cast<std::uint16_t>(index)) {}
 
@@ -35,7 +35,7 @@ class PixelClass {
 // samples in all.
 class SampleAllocation {
  public:
-  // No pixel gets more than 2^maxSampleStep samples, or than it has already.
+  // No pixel gets more than 2^maxSampleStep samples, unless it has more already.
   SampleAllocation(std::span<const PixelClass> pixels, double goal, int maxSampleStep);
 
   // Of the image as it is. Where it is not above the goal, no pixel grows.
@@ -45,12 +45,12 @@ class SampleAllocation {
   [[nodiscard]] double samples() const { return samples_; }  // of all pixels, once all have grown
 
  private:
-  // A class with what a price decides about it.
+  // A class with what decides, at a given price per sample, how far it grows.
   struct Offer {
     PixelClass pixel;
     double pixels;
     double squaredError;
-    double doublingGain;  // log2 of what the first doubling lowers it by, for each sample
+    double doublingGain;  // log2 of by how much each sample of the first doubling lowers the squared error
   };
   [[nodiscard]] static int growthAt(const Offer& offer, double logPrice, int maxSampleStep);
 

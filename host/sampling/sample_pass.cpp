@@ -6,7 +6,7 @@
 namespace lavaray {
 namespace {
 
-// The first passes are shorter: a pixel without a sample is black.
+// The first passes are shorter, since a pixel without a sample is black.
 constexpr std::uint32_t kPassSamples = 64;
 
 std::uint32_t itemsFor(SampleRange samples) {

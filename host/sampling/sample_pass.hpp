@@ -12,7 +12,7 @@ namespace lavaray {
 // The samples that are taken before the next ones are chosen, divided into work items. A pass takes either
 // the same samples of every pixel or those of a list.
 struct SamplePass {
-  std::uint64_t items = 0;          // none: nothing is left to do
+  std::uint64_t items = 0;          // 0: nothing is left to do
   SampleRange samples{0, 0};        // of every pixel
   std::vector<gpu::WorkItem> list;  // empty where all pixels have the same samples
 };
@@ -20,14 +20,14 @@ struct SamplePass {
 SamplePass uniformPass(std::uint64_t pixels, SampleRange samples);
 SamplePass listedPass(std::vector<gpu::WorkItem> list);
 
-// The pass that follows one of `before` in a render that takes the samples `range` of every pixel. Passes are
-// short: a render that is stopped has about the same number of samples everywhere.
+// The pass after one of the samples `before`, in a render that takes the samples `range` of every pixel.
+// Passes are short, so that a render that is stopped has about the same number of samples everywhere.
 SamplePass nextUniformPass(std::uint64_t pixels, SampleRange range, SampleRange before);
-// An upper bound of the items of these passes.
+// An upper bound of the number of items of these passes.
 std::uint64_t maxUniformItems(std::uint64_t pixels, SampleRange range);
 
 gpu::WorkItem itemAt(const SamplePass& pass, std::uint64_t index);
-// Those from number `first` on.
+// The items from number `first` on.
 void copyItems(const SamplePass& pass, std::uint64_t first, std::span<gpu::WorkItem> items);
 
 }  // namespace lavaray

@@ -12,7 +12,7 @@
 
 namespace lavaray {
 
-// What is kept of a pixel's samples. Films hold the first three, which are written as numbers.
+// What is kept of a pixel's samples. Films hold only the first three, whose numbers stand in their files.
 enum class SumKind {
   kCenter = 0,  // glm::vec3: the one sample in the pixel's centre
   kMean = 1,    // PixelSum
@@ -21,8 +21,8 @@ enum class SumKind {
   kNone,        // nothing: samples in the pixels' centres are only counted
 };
 
-// The sum of samples without an upper bound, which fixed point has no room for. They must be added in one
-// order.
+// The sum of samples that have no upper bound, for which fixed point has no room. It depends on the order in
+// which they are added.
 struct MeasureSum {
   glm::dvec3 sum{0.0};
   std::uint32_t samples = 0;
@@ -30,7 +30,7 @@ struct MeasureSum {
 
 std::size_t bytesPerPixel(SumKind kind);
 
-// What the samples of an image's pixels add up to so far.
+// What the samples of each pixel add up to so far.
 class SampleSums {
  public:
   SampleSums(SumKind kind, std::uint64_t pixels);
@@ -43,15 +43,15 @@ class SampleSums {
   [[nodiscard]] std::uint32_t samples(std::uint64_t pixel) const;
   [[nodiscard]] std::uint32_t maxSamples() const;  // of a pixel
 
-  // The means of the pixels from number `first` on; black where there is no sample yet. Not of kMeasure.
+  // The means of the pixels from number `first` on; black where there is no sample yet. Not for kMeasure.
   void copyMeans(std::uint64_t first, std::span<glm::vec3> means) const;
-  // Of kCenter and kMeasure.
+  // For kCenter and kMeasure.
   [[nodiscard]] glm::dvec3 sum(std::uint64_t pixel) const;
-  // Of kHalves, of all pixels.
+  // For kHalves: those of all pixels.
   [[nodiscard]] std::span<HalfSums> halves() { return halves_; }
 
-  // All pixels as a film holds them. Once they are overwritten, `restored` must be told how many of the
-  // samples in centres are among them.
+  // All pixels as a film holds them. Whoever overwrites them calls restored() afterwards, with the number of
+  // samples in pixels' centres that they hold.
   [[nodiscard]] std::span<const std::byte> bytes() const;
   [[nodiscard]] std::span<std::byte> bytes();
   void restored(std::uint64_t centers);
@@ -62,8 +62,8 @@ class SampleSums {
   SumKind kind_;
   std::uint64_t pixels_;
   std::uint64_t samples_ = 0;
-  // One of them, as the kind says.
-  std::vector<float> centers_;  // three a pixel
+  // The kind says which one of these is used.
+  std::vector<float> centers_;  // three per pixel
   std::vector<PixelSum> means_;
   std::vector<HalfSums> halves_;
   std::vector<MeasureSum> measures_;

@@ -4,7 +4,7 @@
 
 namespace lavaray {
 
-// Where in a pixel, and on a light, samples lie.
+// How samples are placed in a pixel and on a light.
 enum class Sampler {
   kSobol,   // Owen-scrambled Sobol points
   kRandom,  // independent random numbers; for comparison
@@ -15,7 +15,7 @@ inline const char* samplerName(Sampler sampler) {
   return sampler == Sampler::kSobol ? "sobol" : "random";
 }
 
-// Samples of one pixel: as many as the fixed-point sums hold (see PixelSum).
+// As many samples as the fixed-point sums can hold (see PixelSum).
 inline constexpr std::uint32_t kMaxSamplesPerPixel = 1U << 22U;
 
 }  // namespace lavaray
