@@ -20,7 +20,7 @@
 namespace lavaray::fuzz {
 namespace {
 
-constexpr std::size_t kMostPrimitives = 10'000;
+constexpr std::size_t kMaxPrimitives = 10'000;
 
 bool isNumber(double x) {
   return std::abs(x) <= kMaxMagnitude;
@@ -179,7 +179,7 @@ void checkScene(const Scene& scene) {
 
 void checkFlattened(const Scene& scene) {
   const std::size_t primitives = countPrimitives(scene);
-  if (primitives > kMostPrimitives) return;
+  if (primitives > kMaxPrimitives) return;
   const GpuScene flat = flatten(scene, 1);
   require(flat.primitives.size() + flat.droppedDuplicates == primitives, "no primitive is lost");
   require(std::isfinite(flat.bvhQuality.sahCost) && flat.bvhQuality.depth <= gpu::kMaxBvhDepth,

@@ -20,7 +20,7 @@ using glm::dvec3;
 
 constexpr double kHalfLevel = 0.5 / 255.0;  // a colour difference of no consequence
 constexpr double kSteepStep = 0.1;          // a colour difference too large for the width of the probes
-constexpr double kLeastWeight = 1e-4;       // a mirror ray that counts for less is dropped
+constexpr double kMinWeight = 1e-4;       // a mirror ray that counts for less is dropped
 
 // What a point of the path saw of one light.
 enum class LightState : std::uint8_t { kBlocked, kVisible, kVisibleFromBehind, kAtThePoint };
@@ -121,7 +121,7 @@ class Tracer {
     trace.path.push_back(std::move(pathPoint));
 
     const dvec3 mirrored = weight * material.reflectance;
-    if (largest(mirrored) < kLeastWeight || depth >= maxDepth_) return color;
+    if (largest(mirrored) < kMinWeight || depth >= maxDepth_) return color;
     const dvec3 direction =
         ray.direction - 2.0 * glm::dot(ray.direction, normal.direction) * normal.direction;
     const Ray reflected{position, glm::normalize(direction), hit.surface};

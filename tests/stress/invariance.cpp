@@ -140,7 +140,7 @@ TEST_P(TurnedAboutTheAxis, TheImageIsTurned) {
   const ImageSize size{side, side};
   ASSERT_EQ(imageSize(scene.camera), size);
   const Image image = renderScene(scene, size).image;
-  std::size_t mostDiffering = 0;
+  std::size_t maxDiffering = 0;
   double largest = 0.0;
   for (const Symmetry& symmetry : kSymmetries) {
     const auto& m = symmetry.matrix;
@@ -167,9 +167,9 @@ TEST_P(TurnedAboutTheAxis, TheImageIsTurned) {
       }
     }
     EXPECT_LE(differing, side * side / 10'000) << symmetry.name;
-    mostDiffering = std::max(mostDiffering, differing);
+    maxDiffering = std::max(maxDiffering, differing);
   }
-  report("at most " + std::to_string(mostDiffering) + " of " + grouped(side * side) +
+  report("at most " + std::to_string(maxDiffering) + " of " + grouped(side * side) +
          " pixels differ by more than 1e-6; the others by " + shortNumber(largest) + " at most");
 }
 
