@@ -274,10 +274,10 @@ expect 2 'REFERENCE' "$diff" --info picture.png picture.bmp
 expect 3 'fake\.png' "$diff" --info fake.png
 expect 3 'absent\.png' "$diff" --info absent.png
 
-# An interrupted render ends soon and writes what it has
+# A render that is interrupted, once it has said how far it is, ends soon and writes what it has
 "$lavaray" "$scenes/thousand-spheres.txt" --width 4000 -o interrupted.ppm 2>stderr &
 render=$!
-sleep 1
+until grep -q ' % ' stderr || ! kill -0 $render; do sleep 0.05; done
 kill -INT $render
 started=$(date +%s%N)
 wait $render
