@@ -206,9 +206,7 @@ void FilmReader::verify() {
 }
 
 std::uint64_t FilmReader::pixelBytes() const {
-  const Rectangle& part = header_.traced;
-  return static_cast<std::uint64_t>(part.x1 - part.x0) * static_cast<std::uint64_t>(part.y1 - part.y0) *
-         bytesPerPixel(header_.kind);
+  return header_.traced.pixels() * bytesPerPixel(header_.kind);
 }
 
 void FilmReader::readRow(int row, std::span<std::byte> bytes) {

@@ -159,7 +159,7 @@ void Merge::readRow(int y, int x0, std::span<float> rgb) {
     if (y < crop.y0 || y >= crop.y1) continue;
     const bool isTraced = traced.y0 <= y && y < traced.y1 && traced.x0 < traced.x1;
     if (isTraced) {
-      bytes_.resize(static_cast<std::size_t>(traced.x1 - traced.x0) * bytesPerPixel(kind));
+      bytes_.resize(static_cast<std::size_t>(traced.width()) * bytesPerPixel(kind));
       part->readRow(y - traced.y0, bytes_);
     }
     for (int x = std::max(x0, crop.x0); x < std::min(x1, crop.x1); ++x) {

@@ -13,7 +13,7 @@ float normalize(Image& image) {
 }
 
 Image crop(const Image& image, const Rectangle& part) {
-  Image result{part.x1 - part.x0, part.y1 - part.y0, {}};
+  Image result{part.width(), part.height(), {}};
   result.rgb.reserve(std::size_t{3} * result.width * result.height);
   for (int y = part.y0; y < part.y1; ++y) {
     const auto row = image.rgb.begin() + std::ptrdiff_t{3} * image.width * y;

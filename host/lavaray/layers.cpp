@@ -24,7 +24,7 @@ std::unique_ptr<ExrWriter> Layers::makeWriter(const File& file, const RenderSett
   TextEntries texts = describeOrigin(options_, settings, device);
   texts.emplace_back(kExrLayer, layerName(file.layer));
   // Half floats end at 65504 and hold integers up to 2048, too little for depths and object numbers.
-  return std::make_unique<ExrWriter>(part.x1 - part.x0, part.y1 - part.y0, channelsOf(file.layer),
+  return std::make_unique<ExrWriter>(part.width(), part.height(), channelsOf(file.layer),
                                      ExrWriter::Precision::kFloat, texts, file.output.stream());
 }
 
@@ -54,7 +54,7 @@ bool Layers::trace(vulkan::Device& device, const GpuScene& gpuScene, RenderSetti
 void Layers::write(const Render& render, const RenderSettings& settings, const Rectangle& part,
                    const std::string& device) {
   const Rectangle& whole = settings.crop;
-  const auto width = static_cast<std::size_t>(whole.x1 - whole.x0);
+  const auto width = static_cast<std::size_t>(whole.width());
   for (const File& file : files_) {
     if (isTraced(file.layer)) continue;
     const std::vector<float> values =
@@ -62,7 +62,7 @@ void Layers::write(const Render& render, const RenderSettings& settings, const R
     const auto writer = makeWriter(file, settings, part, device);
     for (int y = part.y0; y < part.y1; ++y) {
       const std::size_t first = static_cast<std::size_t>(y - whole.y0) * width + (part.x0 - whole.x0);
-      writer->writeNumbers(std::span(values).subspan(first, static_cast<std::size_t>(part.x1 - part.x0)));
+      writer->writeNumbers(std::span(values).subspan(first, static_cast<std::size_t>(part.width())));
     }
     writer->finish();
   }

@@ -61,7 +61,7 @@ void Outputs::beginPicture(const Rectangle& part, const TextEntries& origin) {
 
 void Outputs::writeRow(std::span<const float> rgb) {
   const Clock::time_point start = Clock::now();
-  if (!rows_) rows_.emplace(format_, part_.x1 - part_.x0, part_.y1 - part_.y0, pictureStream(), origin_);
+  if (!rows_) rows_.emplace(format_, part_.width(), part_.height(), pictureStream(), origin_);
   rows_->write(rgb);
   // Which throws: the rest would be rendered for nothing.
   if (std::ferror(pictureStream()) != 0) commitPicture();
@@ -75,7 +75,7 @@ void Outputs::writeRowsOf(Render& render, const Rectangle& crop) {
         [&](std::span<const float> row) { largest = std::max(largest, *std::ranges::max_element(row)); });
   }
   const auto begin = 3 * static_cast<std::size_t>(part_.x0 - crop.x0);
-  std::vector<float> shown(3 * static_cast<std::size_t>(part_.x1 - part_.x0));
+  std::vector<float> shown(3 * static_cast<std::size_t>(part_.width()));
   const bool hasFalseColors = options_.render.view == View::kCost && !hasNumbers();
   int y = crop.y0;
   render.handOverRows([&](std::span<const float> row) {

@@ -43,7 +43,7 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
 
 // An interrupted picture is still written in full, and compressing so many pixels takes over a second.
 bool takesLongToWrite(const Rectangle& part) {
-  return std::int64_t{part.x1 - part.x0} * (part.y1 - part.y0) > 4'000'000;
+  return std::int64_t{part.width()} * part.height() > 4'000'000;
 }
 
 // Called before the first ray: later, all that was rendered would be lost.
@@ -53,12 +53,12 @@ void checkMemory(const RenderSettings& settings, bool canBeCropped) {
   if (needed <= room.bytes) return;
   const Rectangle& part = settings.crop;
   const bool isOneSample = settings.samples == 1 && !settings.targetError;
-  throw Error(ExitCode::kMemory,
-              "there is not enough memory: a picture of " + std::to_string(part.x1 - part.x0) + " x " +
-                  std::to_string(part.y1 - part.y0) + " pixels needs " + inGigabytes(needed) + ", and " +
-                  room.limit + ' ' + inGigabytes(room.bytes) + "; a smaller --width or --height needs less" +
-                  (canBeCropped ? ", or parts by --crop" : "") +
-                  (isOneSample ? "" : ", or one sample per pixel"));
+  throw Error(ExitCode::kMemory, "there is not enough memory: a picture of " + std::to_string(part.width()) +
+                                     " x " + std::to_string(part.height()) + " pixels needs " +
+                                     inGigabytes(needed) + ", and " + room.limit + ' ' +
+                                     inGigabytes(room.bytes) + "; a smaller --width or --height needs less" +
+                                     (canBeCropped ? ", or parts by --crop" : "") +
+                                     (isOneSample ? "" : ", or one sample per pixel"));
 }
 
 bool isInterrupted(const Render& render) {
@@ -93,7 +93,7 @@ void Session::printWarnings() {
 ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   const Plan plan = makePlan();
   Files files(options_);
-  files.outputs.checkSize(plan.part.x1 - plan.part.x0, plan.part.y1 - plan.part.y0);
+  files.outputs.checkSize(plan.part.width(), plan.part.height());
   buildHierarchy();
   OpenDevice& open = openDevice();
   const std::string& deviceName = open.device.description().name;

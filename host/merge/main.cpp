@@ -109,8 +109,8 @@ ExitCode mergeParts(const MergeOptions& options) {
   progress.end();
   for (const std::string& warning : merge.warnings()) std::cerr << "warning: " << warning << '\n';
 
-  const int width = area.x1 - area.x0;
-  const int height = area.y1 - area.y0;
+  const int width = area.width();
+  const int height = area.height();
   std::vector<float> row(std::size_t{3} * width);
   const float largest = options.normalize ? largestValue(merge, area, row) : 1.0F;
   const TextEntries texts = {{"Software", std::string("lavaray-merge ") + kVersion},

@@ -23,7 +23,7 @@ class PictureRows {
         part_(part),
         x_(part.x0),
         y_(picture.y0),
-        row_(3 * static_cast<std::size_t>(picture.x1 - picture.x0)) {}
+        row_(3 * static_cast<std::size_t>(picture.width())) {}
 
   // Adds the next value. A row that it completes is taken, after those above the part.
   void add(const glm::vec3& value, const TakeRow& take) {

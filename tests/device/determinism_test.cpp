@@ -165,7 +165,7 @@ TEST(Determinism, AdaptivePixelsDependOnTheNumberOfTheirSamplesOnly) {
   const AdaptiveImage whole = renderWithSamples(scene, settings);
   settings.crop = {10, 15, 70, 45};
   const AdaptiveImage part = renderWithSamples(scene, settings);
-  const int width = settings.crop.x1 - settings.crop.x0;
+  const int width = settings.crop.width();
   std::size_t differing = 0;
   std::size_t alike = 0;
   for (std::size_t i = 0; i < part.samples.size(); ++i) {

@@ -20,7 +20,7 @@ using glm::dvec3;
 
 constexpr double kHalfLevel = 0.5 / 255.0;  // a colour difference of no consequence
 constexpr double kSteepStep = 0.1;          // a colour difference too large for the width of the probes
-constexpr double kMinWeight = 1e-4;       // a mirror ray that counts for less is dropped
+constexpr double kMinWeight = 1e-4;         // a mirror ray that counts for less is dropped
 
 // What a point of the path saw of one light.
 enum class LightState : std::uint8_t { kBlocked, kVisible, kVisibleFromBehind, kAtThePoint };

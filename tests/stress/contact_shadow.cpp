@@ -29,8 +29,8 @@ int longestRun(const Rectangle& area, const IsWrong& isWrong) {
       }
     }
   };
-  const int width = area.x1 - area.x0;
-  const int height = area.y1 - area.y0;
+  const int width = area.width();
+  const int height = area.height();
   scan(height, width, [&](int y, int x) { return isWrong(x, y); });
   scan(width, height, [&](int x, int y) { return isWrong(x, y); });
   return longest;

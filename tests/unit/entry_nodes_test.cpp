@@ -77,10 +77,10 @@ Figures compareWithTheRoot(const Scene& scene, const RenderSettings& settings, R
   const double radius = filterRadius(settings.filter);
   Figures figures;
   for (; figures.rays < 20000; ++figures.rays) {
-    const auto x = static_cast<int>(random() % static_cast<unsigned>(crop.x1 - crop.x0));
-    const auto y = static_cast<int>(random() % static_cast<unsigned>(crop.y1 - crop.y0));
+    const auto x = static_cast<int>(random() % static_cast<unsigned>(crop.width()));
+    const auto y = static_cast<int>(random() % static_cast<unsigned>(crop.height()));
     const gpu::uint group = nodes.groups[std::size_t(y >> nodes.shift) * nodes.across + (x >> nodes.shift)];
-    EXPECT_EQ(isEmpty(nodes, y * (crop.x1 - crop.x0) + x, crop.x1 - crop.x0), group == 0);
+    EXPECT_EQ(isEmpty(nodes, y * crop.width() + x, crop.width()), group == 0);
     const double column = crop.x0 + x + 0.5 + uniform(random, -radius, radius);
     const double row = crop.y0 + y + 0.5 + uniform(random, -radius, radius);
     const double scale = static_cast<double>(imageSize(scene.camera)->width) / settings.size.width;
