@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "render/coverage.hpp"
+#include "render/sampling_progress.hpp"
+#include "render/tracer.hpp"
 
 namespace lavaray {
 namespace {
@@ -20,9 +22,11 @@ Render::Render(vulkan::Device& device, const GpuScene& scene, const RenderSettin
     : device_(device), settings_(settings), area_(tracedArea(scene, settings)), start_(Clock::now()) {
   if (!settings.keepsPicture) rows_.emplace(settings.crop, area_);
   if (area_.pixels() == 0) return;
-  sampling_ = beginSampling(scene, settings, area_);
-  tracer_.emplace(device, scene, settings, area_, maxItems(settings, area_.pixels()));
+  sampling_ = std::make_unique<SamplingProgress>(beginSampling(scene, settings, area_));
+  tracer_ = std::make_unique<Tracer>(device, scene, settings, area_, maxItems(settings, area_.pixels()));
 }
+
+Render::~Render() = default;
 
 void Render::resumeFrom(FilmReader& film) {
   if (!isTraced()) return;

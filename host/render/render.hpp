@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -12,9 +13,8 @@
 #include "image/image.hpp"
 #include "render/picture_rows.hpp"
 #include "render/render_statistics.hpp"
-#include "render/sampling_progress.hpp"
 #include "render/settings.hpp"
-#include "render/tracer.hpp"
+#include "vulkan/device.hpp"
 
 namespace lavaray {
 
@@ -22,11 +22,15 @@ struct RenderResult : RenderStatistics {
   Image image;  // of the crop; black where no sample was taken
 };
 
+struct SamplingProgress;
+class Tracer;
+
 // A render of settings.crop, which can be looked at and kept between two batches of work.
 class Render {
  public:
   // The device and the scene must outlive it. Throws Error(kDevice) where the scene does not fit the device.
   Render(vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings);
+  ~Render();
 
   // Resumes from what the film has, as if it had been rendered here. Its identity, crop and range are those
   // of this render. Throws Error(kInput) where it cannot be read.
@@ -59,7 +63,7 @@ class Render {
 
  private:
   using Clock = std::chrono::steady_clock;
-  [[nodiscard]] bool isTraced() const { return tracer_.has_value(); }
+  [[nodiscard]] bool isTraced() const { return tracer_ != nullptr; }
   [[nodiscard]] std::optional<StopReason> reasonToStop(const Proceed& proceed) const;
   [[nodiscard]] std::uint64_t sampledPixels() const;
   void forEachRow(const TakeRow& take) const;
@@ -71,9 +75,9 @@ class Render {
 
   const vulkan::Device& device_;
   RenderSettings settings_;
-  Rectangle area_;                            // of the crop, in which something can show
-  std::optional<SamplingProgress> sampling_;  // these two are empty where that has no pixel
-  std::optional<Tracer> tracer_;
+  Rectangle area_;                              // of the crop, in which something can show
+  std::unique_ptr<SamplingProgress> sampling_;  // these two are empty where that has no pixel
+  std::unique_ptr<Tracer> tracer_;
   std::optional<PictureRows> rows_;   // where no picture is kept
   std::uint64_t earlierSamples_ = 0;  // of a film, in pixels that are sampled
   Clock::time_point start_;

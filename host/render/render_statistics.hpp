@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "render/tracer.hpp"
+#include "render/trace_counts.hpp"
 
 namespace lavaray {
 

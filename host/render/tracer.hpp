@@ -8,21 +8,12 @@
 #include "bvh/gpu_scene.hpp"
 #include "render/entry_nodes.hpp"
 #include "render/settings.hpp"
+#include "render/trace_counts.hpp"
 #include "render/variant.hpp"
 #include "sampling/sample_pass.hpp"
 #include "vulkan/compute.hpp"
 
 namespace lavaray {
-
-struct TraceCounts {
-  std::uint64_t dispatches = 0;
-  std::uint64_t samples = 0;         // camera rays
-  std::uint64_t skippedSamples = 0;  // through tiles of the picture that show nothing
-  // These are counted only if the settings ask for it.
-  std::uint64_t shadowRays = 0;
-  std::uint64_t skippedShadowRays = 0;  // their light would add nothing, or nothing that shows
-  std::uint64_t mirrorRays = 0;
-};
 
 // A scene on a device, with the pipeline for what the scene has. It takes samples of the pixels of an area of
 // the picture.
