@@ -1,31 +1,48 @@
-// What a ray hits in the whole scene: primitives first, then planes.
+// What rays hit in the whole scene: primitives first, then planes.
 #ifndef FIND_HIT_GLSL
 #define FIND_HIT_GLSL
 
 #include "traverse.glsl"
 
-// Finds the nearest surface that the ray hits before hit.t, or with `anyHit` any such surface; never the one
-// named `skipped`. `entry` is as for traverse. Each plane is an object, so planes at the same distance are
-// told apart by their object's number. Returns false if the device ended the loops before the search was
-// over.
-bool findHit(const bool anyHit, Ray given, uint skipped, uint entry, inout Hit hit, inout uint tests) {
-  const Ray ray = withoutDenormals(given);
-  if (kFewPrimitives) {
-    if (!testEach(ray, skipped, hit, tests)) return false;
-  } else if (kHasSpheres || kHasTriangles) {
-    if (!traverse(anyHit, ray, skipped, entry, hit, tests)) return false;
+// As for findHits, among the scene's planes alone. Each plane is an object, so surfaces at the same distance
+// are told apart by their object's number.
+bool hitPlanes(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], inout uint tests) {
+  const bool hasPrimitives = kHasSpheres || kHasTriangles;
+  uint objects[kRaysPerLane];
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+    objects[r] = 0u;
+    if (hasPrimitives && !anyHit && hits[r].surface != kNoSurface) objects[r] = fetchObject(hits[r].surface);
   }
   uint i = 0u;
-  for (; i < kPlaneCount && !(anyHit && hit.surface != kNoSurface); ++i) {
-    if ((i | kPlaneBit) == skipped) continue;
-    if (kCountsTests) ++tests;
+  for (; i < kPlaneCount && !(anyHit && farthest(hits) == kNoRay); ++i) {
     const Plane plane = fetchPlane(i);
-    const float t = intersectPlane(ray, plane.normal, plane.distance);
-    if (t < hit.t || (t == hit.t && hit.surface != kNoSurface && plane.object < hit.object)) {
-      hit = Hit(t, i | kPlaneBit, plane.object, 0u, vec3(0.0));
+    const uint surface = i | kPlaneBit;
+    [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+      if (kCountsTests && surface != packet.skipped[r]) ++tests;
+      const float t = intersectPlane(packet.rays[r], plane.normal, plane.distance);
+      const bool isNearer =
+          t < hits[r].t || (t == hits[r].t && hits[r].surface != kNoSurface && plane.object < objects[r]);
+      if (isNearer && surface != packet.skipped[r]) {
+        hits[r] = Hit(anyHit ? kNoRay : t, surface, 0u);
+        objects[r] = plane.object;
+      }
     }
   }
-  return i == kPlaneCount || (anyHit && hit.surface != kNoSurface);
+  return i == kPlaneCount || (anyHit && farthest(hits) == kNoRay);
+}
+
+// Finds for each ray of the packet the nearest surface that it hits before hit.t, or with `anyHit` any such
+// surface; never the one that it skips. `entry` is as for traverse. Returns false if the device ended the
+// loops before the search was over.
+bool findHits(const bool anyHit, Packet packet, uint entry, inout Hit hits[kRaysPerLane], inout uint tests) {
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) packet.rays[r] = withoutDenormals(packet.rays[r]);
+  bool finished = true;
+  if (kFewPrimitives) {
+    finished = testEach(anyHit, packet, hits, tests);
+  } else if (kHasSpheres || kHasTriangles) {
+    finished = traverse(anyHit, packet, entry, hits, tests);
+  }
+  return finished && hitPlanes(anyHit, packet, hits, tests);
 }
 
 #endif

@@ -19,11 +19,15 @@ using glm::vec3;
 using uint = std::uint32_t;
 #define LAVARAY_SIZE(Struct, bytes) static_assert(sizeof(Struct) == (bytes) && (bytes) % 16 == 0)
 #else
+#extension GL_EXT_control_flow_attributes : require
 #define LAVARAY_SIZE(Struct, bytes)
 #endif
 
 // Invocations of a work group; each handles one work item.
 const uint kWorkGroupSize = 64u;
+
+// How many invocations take one block of the picture (see lane.glsl).
+const uint kLanesPerUnit = 8u;
 
 // The most inner nodes on any path from the root to a leaf. The builder keeps to it, so the traversal's stack
 // needs no more entries. Drivers unroll loops of this many iterations, which the stack depends on.
@@ -121,7 +125,7 @@ const uint kViewCost = 5u;    // nodes and primitives that the rays are tested a
 
 // An inner node of the BVH, with the boxes of up to four children. On each axis a box's bound b lies at
 // origin + b 2^(exponent - 127), which float32 represents exactly, and no box is smaller than its contents.
-// The lower bounds of an absent child are above its upper ones.
+// The lower bounds of a missing child are above its upper ones, so that no single ray enters it.
 //
 // Based on: Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
 // BVHs", 2017; here with four children per node, stored anywhere.
@@ -132,17 +136,21 @@ struct BvhNode {
   uint padding0;
   uvec3 upper;
   uint padding1;
-  uvec4 children;  // node references
+  uvec4 children;  // node references, by falling area of their boxes; kMissingChild where there is none
 };
 LAVARAY_SIZE(BvhNode, 64);
 const uint kTexelsPerNode = 4u;
 const uint kNodeWidth = 4u;
 
-// The children of a node that are still to be visited, packed: node << 8 | slots << 2 | count. A slot has two
-// bits, the first one the lowest; 0 is no group.
+// A leaf of one primitive, which a packet that enters a missing child's box tests in vain.
+const uint kMissingChild = 1u << kLeafShift;
+
+// The children of a node that are still to be visited, packed: node << 8 | slots. A slot has two bits, the
+// first one the lowest, and above the last one is a 1. 0 is no group.
 const uint kGroupNodeShift = 8u;
-const uint kGroupSlotsShift = 2u;
-const uint kRootGroup = 1u;  // the only child of the node above the root
+const uint kNoSlots = 1u;
+const uint kBitsPerSlot = 2u;
+const uint kRootGroup = kNoSlots << kBitsPerSlot;  // the first child of the node above the root
 
 const uint kEntryNodesPerTexel = 4u;  // packed groups
 

@@ -16,12 +16,10 @@ struct Ray {
   vec3 direction;
 };
 
-// What a traversal needs of its ray, computed once.
-struct RayConstants {
-  vec3 inverse;    // of the direction; +-infinity where that is zero
-  bvec3 negative;  // for each axis, whether the ray enters a box through its upper side
-  uint axis;       // of the direction's largest component, which becomes the ray's z axis
-  vec3 shear;      // the direction in its axes, scaled by a power of two so that 1 <= |shear.z| < 2
+// A ray as the triangle test needs it, in axes of which z is the main one.
+struct ShearedRay {
+  vec3 origin;
+  vec3 shear;      // the direction, scaled by a power of two so that 1 <= |shear.z| < 2
   float inverseZ;  // 1 / the unscaled z component
 };
 
@@ -40,42 +38,23 @@ Ray withoutDenormals(Ray ray) {
   return Ray(withoutDenormals(ray.origin), withoutDenormals(ray.direction));
 }
 
-// The ray must have no denormal numbers.
-RayConstants rayConstants(Ray ray) {
-  RayConstants constants;
-  constants.inverse = 1.0 / ray.direction;
-  constants.negative = lessThan(constants.inverse, vec3(0.0));
-  const vec3 size = abs(ray.direction);
-  constants.axis = size.z >= size.x && size.z >= size.y ? 2u : (size.y >= size.x ? 1u : 0u);
-  const vec3 direction = permute(ray.direction, constants.axis);
+// The axis of the direction's largest component.
+uint mainAxis(vec3 direction) {
+  const vec3 size = abs(direction);
+  return size.z >= size.x && size.z >= size.y ? 2u : (size.y >= size.x ? 1u : 0u);
+}
+
+// The ray must have no denormal numbers, and `axis` must be its main one.
+ShearedRay shearedRay(Ray ray, uint axis) {
+  const vec3 direction = permute(ray.direction, axis);
   // 2^-e for |z| = m 2^e, by its exponent bits: e becomes -e.
   const uint exponentBits = floatBitsToUint(direction.z) & 0x7F800000u;
-  constants.shear = direction * uintBitsToFloat(0x7F000000u - exponentBits);
-  constants.inverseZ = 1.0 / direction.z;
-  return constants;
+  const vec3 shear = direction * uintBitsToFloat(0x7F000000u - exponentBits);
+  return ShearedRay(permute(ray.origin, axis), shear, 1.0 / direction.z);
 }
 
-// The distances at which the ray enters four boxes, or infinity where it misses one or enters it beyond tMax.
-// `near` and `far` are the bounds that it meets first and last on each axis, by the sign of its direction.
-//
-// With the near and the far bound chosen by the sign of the direction, not by minimum and maximum, 0 *
-// infinity (a ray in the plane of a side) is a NaN that every comparison rejects: the axis sets no bound. The
-// far distance is widened by two units in the last place, which covers the rounding on all three axes: Ize,
-// "Robust BVH Ray Traversal", 2013.
-vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], float tMax) {
-  vec4 entry = vec4(0.0);
-  vec4 exit = vec4(tMax);
-  for (int axis = 0; axis < 3; ++axis) {
-    const vec4 tNear = (near[axis] - ray.origin[axis]) * constants.inverse[axis];
-    const vec4 tFar = (far[axis] - ray.origin[axis]) * constants.inverse[axis];
-    entry = mix(entry, tNear, greaterThan(tNear, entry));
-    exit = mix(exit, tFar, lessThan(tFar, exit));
-  }
-  const vec4 paddedExit = exit * 1.00000024;
-  return mix(vec4(kInfinity), entry, lessThanEqual(entry, paddedExit));
-}
-
-// The distance to the triangle, or infinity; `weights` are the barycentric coordinates of a, b, c.
+// The distance to the triangle, or infinity; `weights` are the barycentric coordinates of a, b, c, which are
+// in the ray's axes.
 //
 // The triangle is sheared into coordinates in which the ray is the z axis, and the signs of the areas that
 // this axis spans with each edge are compared. Two triangles that share an edge compute the same products for
@@ -85,13 +64,13 @@ vec4 intersectBoxes(Ray ray, RayConstants constants, vec4 near[3], vec4 far[3], 
 // double-precision fallback, which only takes back hits on edges, and multiplying by the shear's z in place
 // of dividing by it. So the vertices of a scene in round numbers are sheared exactly, and the ray through a
 // pixel's centre hits an edge that it lies on.
-float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c, out vec3 weights) {
-  const vec3 localA = permute(a - ray.origin, constants.axis);
-  const vec3 localB = permute(b - ray.origin, constants.axis);
-  const vec3 localC = permute(c - ray.origin, constants.axis);
-  const vec2 shearedA = localA.xy * constants.shear.z - constants.shear.xy * localA.z;
-  const vec2 shearedB = localB.xy * constants.shear.z - constants.shear.xy * localB.z;
-  const vec2 shearedC = localC.xy * constants.shear.z - constants.shear.xy * localC.z;
+float intersectTriangle(ShearedRay ray, vec3 a, vec3 b, vec3 c, out vec3 weights) {
+  const vec3 localA = a - ray.origin;
+  const vec3 localB = b - ray.origin;
+  const vec3 localC = c - ray.origin;
+  const vec2 shearedA = localA.xy * ray.shear.z - ray.shear.xy * localA.z;
+  const vec2 shearedB = localB.xy * ray.shear.z - ray.shear.xy * localB.z;
+  const vec2 shearedC = localC.xy * ray.shear.z - ray.shear.xy * localC.z;
   const vec3 areas = vec3(shearedC.x * shearedB.y - shearedC.y * shearedB.x,
                           shearedA.x * shearedC.y - shearedA.y * shearedC.x,
                           shearedB.x * shearedA.y - shearedB.y * shearedA.x);
@@ -101,7 +80,7 @@ float intersectTriangle(Ray ray, RayConstants constants, vec3 a, vec3 b, vec3 c,
   if (sum == 0.0) return kInfinity;
   weights = areas / sum;
   const float depth = weights.x * localA.z + weights.y * localB.z + weights.z * localC.z;
-  const float t = depth * constants.inverseZ;
+  const float t = depth * ray.inverseZ;
   return t > 0.0 ? t : kInfinity;
 }
 

@@ -2,18 +2,25 @@
 #ifndef PATH_STATE_GLSL
 #define PATH_STATE_GLSL
 
-#include "interface.h"
+#include "scene_data.glsl"
 
 layout(constant_id = kSpecResumable) const bool kResumable = true;
 
-// How far a path has come. Tracing a path again gives the same path, so one that could not be finished is
-// traced from the start and adds to its colour from this state on.
+// How far the paths of a packet have come. Tracing a path again gives the same path, so those that could not
+// be finished are traced from the start and add to their colours from this state on.
 struct PathState {
-  vec3 color;
+  vec3 color[kRaysPerLane];
   uint bounce;
   uint step;   // of the bounce: 0 is the ambient colour, i + 1 is light i
-  uint tests;  // so far, see tests.glsl
+  uint tests;  // so far, see tests.glsl; of all paths
 };
+
+void clear(out PathState state) {
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) state.color[r] = vec3(0.0);
+  state.bounce = 0u;
+  state.step = 0u;
+  state.tests = 0u;
+}
 
 struct RayCounts {
   uint shadow;

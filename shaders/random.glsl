@@ -91,7 +91,7 @@ const uvec2 kCompanionShifts[kCompanionTerms] =
 
 uint companionIndex(uint index, uint companion) {
   uint product = index;
-  for (uint i = 0u; i < kCompanionTerms; ++i) {
+  [[unroll]] for (uint i = 0u; i < kCompanionTerms; ++i) {
     product ^= index >> (kCompanionShifts[i][companion / 8u] >> 4u * (companion % 8u) & 15u);
   }
   return product;

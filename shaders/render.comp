@@ -1,4 +1,5 @@
-// Each invocation takes the samples of one work item.
+// Each invocation takes the samples of one work item or, where each pixel has one in its centre, those of a
+// block of pixels: one for each of the rays that it traces together.
 //
 // One dispatch may not finish an item: the item has more shadow rays than a dispatch allows, or the device
 // ends the loops. A resumable pipeline then saves the item's state and the next dispatch resumes from it; the
@@ -8,7 +9,9 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "camera.glsl"
+#include "lane.glsl"
 #include "path.glsl"
+#include "work_state.glsl"
 
 layout(local_size_x = kWorkGroupSize) in;
 
@@ -21,7 +24,7 @@ layout(std430, set = 0, binding = kBindingResults) buffer Results {
   WorkResult results[];
 };
 layout(std430, set = 0, binding = kBindingStates) buffer States {
-  WorkState states[];
+  WorkState unfinished[];
 };
 layout(std430, set = 0, binding = kBindingStatus) buffer Status {
   DispatchStatus status;
@@ -41,15 +44,6 @@ Ray sampleRay(uvec2 pixel, uint index, uint seed) {
   return cameraRay(position, constants.halfImage, constants.focalLength);
 }
 
-// Clamps to [0, 1], written so that a NaN becomes 0. So does a number so small that denormal numbers, which
-// some devices treat as zero, may have changed it.
-float displayed(float c) {
-  return c >= kMinExact ? min(c, 1.0) : 0.0;
-}
-vec3 displayed(vec3 color) {
-  return vec3(displayed(color.r), displayed(color.g), displayed(color.b));
-}
-
 // The packed group at which the pixel's camera rays enter the hierarchy.
 uint entryGroup(uvec2 pixelInArea) {
   if (!kHasEntryNodes) return kRootGroup;
@@ -57,84 +51,97 @@ uint entryGroup(uvec2 pixelInArea) {
   return fetchEntryNode(tile.y * constants.tilesAcross + tile.x);
 }
 
-// Takes the sample that `state` has reached. Returns false where it could not be finished.
-bool takeSample(uvec2 pixel, uint entry, uint index, uint seed, inout WorkState state,
-                inout RayCounts counts) {
-  PathState path = PathState(state.color, state.bounce, state.step, state.tests);
-  const uint pixelSeed = hashCombine(seed, kUseOfPixel);
-  const PathSettings settings =
-      PathSettings(constants.maxDepth, index, seed, shuffledIndex(index, pixelSeed));
-  const bool finished =
-      tracePath(sampleRay(pixel, settings.shuffledIndex, pixelSeed), entry, settings, path, counts);
-  if (finished) {
-    vec3 color = path.color;
+void takeWork(uint lane, out LaneWork result) {
+  if (kSampling == kSamplingCenter) {
+    takePixels(lane, constants.areaWidth, constants.firstPixel, constants.itemCount, result);
+  } else {
+    const uint item = min(lane, constants.itemCount - 1u);
+    takeItem(lane, constants.areaWidth, work[item], lane < constants.itemCount, result);
+  }
+}
+
+// Takes a sample with each ray, where there is one, `taken` samples into its item. Returns false where they
+// could not be finished.
+bool takeSamples(LaneWork lane, uint entry, uint taken, inout WorkState states[kRaysPerLane],
+                 inout PathState path, inout RayCounts counts) {
+  Ray rays[kRaysPerLane];
+  bool isThere[kRaysPerLane];
+  PathSettings settings[kRaysPerLane];
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+    const uvec2 pixel = lane.pixels[r] + uvec2(constants.areaX, constants.areaY);
+    // The 0 keeps the samples where they have always been.
+    const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), 0u);
+    const uint pixelSeed = hashCombine(seed, kUseOfPixel);
+    const uint index = kSampling == kSamplingCenter ? 0u : lane.first + taken + r;
+    isThere[r] = lane.isThere[r] && (kSampling == kSamplingCenter || taken + r < lane.count);
+    settings[r] = PathSettings(constants.maxDepth, index, seed, shuffledIndex(index, pixelSeed));
+    rays[r] = sampleRay(pixel, settings[r].shuffledIndex, pixelSeed);
+  }
+  if (!tracePaths(rays, isThere, entry, settings, path, counts)) return false;
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+    vec3 color = path.color[r];
     if (kView == kViewCost) color = vec3(path.tests);
     if (kView != kViewCost && kView != kViewDepth && !kAsData) color = displayed(color);
-    state.sum += color;
-    state.squares += preciseDot(color, color) / 3.0;
-    ++state.taken;
-    path = PathState(vec3(0.0), 0u, 0u, 0u);
+    if (kSampling == kSamplingCenter) {
+      addSample(color, isThere[r], states[r]);
+    } else {
+      addSample(color, isThere[r], states[0]);
+    }
   }
-  state.color = path.color;
-  state.bounce = path.bounce;
-  state.step = path.step;
-  state.tests = path.tests;
-  return finished;
+  clear(path);
+  return true;
 }
 
-// Takes the samples from state.taken on. Returns false where it could not take them all. The loop has the
-// form of tracePath's, for the same reason.
-bool takeSamples(WorkItem item, inout WorkState state, inout RayCounts counts) {
-  const uvec2 inArea = uvec2(item.pixel % constants.areaWidth, item.pixel / constants.areaWidth);
-  const uvec2 pixel = inArea + uvec2(constants.areaX, constants.areaY);
-  const uint entry = entryGroup(inArea);
-  // The 0 keeps the samples where they have always been.
-  const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), 0u);
-  bool finished;
-  uint i = state.taken;
+// Takes the samples from the first item's `taken` on. Returns false where it could not take them all. The
+// loop has the form of tracePaths's, for the same reasons.
+bool takeAllSamples(LaneWork lane, inout WorkState states[kRaysPerLane], inout PathState path,
+                    inout RayCounts counts) {
+  const uint entry = entryGroup(lane.pixels[0]);
+  bool finished = false;
+  uint i = states[0].taken;
   do {
-    finished = takeSample(pixel, entry, item.first + i, seed, state, counts);
-    ++i;
-  } while (kSampling != kSamplingCenter && finished && i < item.count);
-  return state.taken == item.count;
-}
-
-// Without sequences the items are consecutive pixels, so none needs to be read.
-WorkItem workItem(uint index) {
-  if (kSampling == kSamplingCenter) return WorkItem(constants.firstPixel + index, 0u, 0u, 1u);
-  return work[index];
-}
-
-bool sameProgress(WorkState a, WorkState b) {
-  return a.taken == b.taken && a.bounce == b.bounce && a.step == b.step;
+    if (i < lane.count) {  // always true: see traverse
+      finished = takeSamples(lane, entry, i, states, path, counts);
+      i += kRaysPerLane;
+    }
+  } while (kSampling != kSamplingCenter && finished && i < lane.count);
+  return kSampling == kSamplingCenter ? finished : states[0].taken == lane.count;
 }
 
 void main() {
-  const uint index = gl_GlobalInvocationID.x;
-  if (index >= constants.itemCount) return;
-  WorkState state = WorkState(vec3(0.0), 0u, vec3(0.0), 0u, 0u, 0.0, 0u, 0u);
+  LaneWork lane;
+  takeWork(gl_GlobalInvocationID.x, lane);
+  if (!anyOf(lane.isThere)) return;
+  WorkState states[kRaysPerLane];
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) states[r] = newWork();
+  PathState path;
+  clear(path);
+  const uint only = lane.items[0];  // where the pipeline is resumable, with one ray a lane
   if (kResumable) {
     // Read in every mode, needed or not: Mesa 26.1's llvmpipe crashes on a buffer that is first read under a
     // condition.
-    const float squares = results[index].squares;
-    const WorkState left = states[index];
+    const float squares = results[only].squares;
+    const WorkState left = unfinished[only];
     if (constants.mode != kModeAll && squares >= 0.0) return;
-    if (constants.mode == kModeResumed) state = left;
+    if (constants.mode == kModeResumed) states[0] = left;
+    restore(states[0], path);
   }
-  const WorkState before = state;
+  const WorkState before = states[0];
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
-  const bool finished = takeSamples(workItem(index), state, counts);
+  const bool finished = takeAllSamples(lane, states, path, counts);
   if (kCountRays) {
     atomicAdd(status.shadowRays, counts.shadow);
     atomicAdd(status.mirrorRays, counts.mirror);
     atomicAdd(status.skippedShadowRays, counts.skippedShadow);
   }
-  if (!finished) {
-    atomicAdd(status.unfinished, 1u);
-    if (kResumable) {
-      if (sameProgress(state, before)) atomicAdd(status.stuck, 1u);
-      states[index] = state;
-    }
+  if (!finished) atomicAdd(status.unfinished, 1u);
+  if (kResumable && !finished) {
+    save(path, states[0]);
+    if (sameProgress(states[0], before)) atomicAdd(status.stuck, 1u);
+    unfinished[only] = states[0];
   }
-  results[index] = WorkResult(state.sum, finished ? state.squares : kSquaresUnfinished);
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+    if (lane.isThere[r] && (r == 0u || kSampling == kSamplingCenter))
+      results[lane.items[r]] = WorkResult(states[r].sum, finished ? states[r].squares : kSquaresUnfinished);
+  }
 }

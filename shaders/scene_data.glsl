@@ -17,6 +17,13 @@ const bool kFewPrimitives = true;
 const bool kFewPrimitives = false;
 #endif
 
+// The rays that an invocation traces together. Their loops are unrolled when the module is made: with arrays
+// and loops of a size that only the driver knows, it compiles for much longer.
+#ifndef LAVARAY_RAYS_PER_LANE
+#define LAVARAY_RAYS_PER_LANE 1
+#endif
+const uint kRaysPerLane = LAVARAY_RAYS_PER_LANE;
+
 layout(constant_id = kSpecHasSpheres) const bool kHasSpheres = true;
 layout(constant_id = kSpecHasTriangles) const bool kHasTriangles = true;
 layout(constant_id = kSpecHasCornerNormals) const bool kHasCornerNormals = true;
@@ -89,6 +96,11 @@ Primitive fetchPrimitive(uint index) {
   const uvec4 t2 = TEXEL(primitiveTexels, texel + 2u);
   return Primitive(uintBitsToFloat(t0.xyz), t0.w, uintBitsToFloat(t1.xyz), t1.w, uintBitsToFloat(t2.xyz),
                    t2.w);
+}
+
+// The object of a primitive.
+uint fetchObject(uint index) {
+  return TEXEL(primitiveTexels, index * kTexelsPerPrimitive + 1u).w;
 }
 
 TrianglePlane fetchTrianglePlane(uint index) {

@@ -53,18 +53,13 @@ float shadowRayEnd(vec3 origin, vec3 light, vec3 direction) {
   return 1.0 - 2.0 * kPositionUlps * kHalfUlp * magnitude / maxComponent(abs(direction));
 }
 
-// Sets `blocked` to whether a surface other than `surface`, on which the point lies, is between it and a
-// point of the light. Returns false if the device ended the search early.
-bool findShadow(SurfacePoint point, uint surface, vec3 light, out bool blocked, inout uint tests) {
-  blocked = false;
+// The ray from the point to a point of the light, which `end` limits. That is not positive where the light
+// touches the surface: nothing fits between.
+Ray shadowRay(SurfacePoint point, vec3 light, out float end) {
   const vec3 origin = leave(point, light - point.position);
   const Ray ray = Ray(origin, light - origin);
-  const float end = shadowRayEnd(origin, light, ray.direction);
-  if (!(end > 0.0)) return true;  // the light touches the surface: nothing fits between
-  Hit hit = missUpTo(end);
-  const bool finished = findHit(true, ray, surface, kRootGroup, hit, tests);
-  blocked = hit.surface != kNoSurface;
-  return finished;
+  end = shadowRayEnd(origin, light, ray.direction);
+  return ray;
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "find_hit.glsl"
 
 struct SurfacePoint {
+  uint object;  // that it is on
   vec3 position;
   float error;           // bounds the position's distance from the surface
   vec3 geometricNormal;  // unit length; decides the side on which a secondary ray leaves
@@ -22,19 +23,21 @@ const float kPositionUlps = 8.0;
 const float kExtentUlps = 4.0;
 
 // Moves a point near a plane onto it. What remains is the rounding of the distance, not that of t.
-SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction) {
+SurfacePoint pointOnPlane(vec3 near, vec3 normal, float distance, vec3 direction, uint object) {
   const float offPlane = preciseDot(normal, near) - distance;
   const vec3 position = near - offPlane * normal;
   const float error = kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(position)) + abs(distance));
   const vec3 facing = preciseDot(normal, direction) > 0.0 ? -normal : normal;
-  return SurfacePoint(position, error, facing, facing);
+  return SurfacePoint(object, position, error, facing, facing);
 }
 
-SurfacePoint pointOnSphere(vec3 near, vec3 center, float radius) {
+SurfacePoint pointOnSphere(vec3 near, Primitive sphere) {
+  const vec3 center = sphere.a;
+  const float radius = sphere.b.x;
   const vec3 normal = unit(near - center);
   const vec3 position = center + radius * normal;
   const float error = kPositionUlps * kHalfUlp * (preciseDot(abs(normal), abs(center)) + radius);
-  return SurfacePoint(position, error, normal, normal);
+  return SurfacePoint(sphere.object, position, error, normal, normal);
 }
 
 // The interpolated normal, on the side of the face that is seen, so that neither the winding order nor a
@@ -46,13 +49,16 @@ vec3 interpolatedNormal(uint firstCornerNormal, vec3 weights, vec3 facing) {
   return preciseDot(normal, facing) < 0.0 ? -normal : normal;
 }
 
-SurfacePoint pointOnTriangle(vec3 near, Hit hit, Primitive primitive, vec3 direction) {
-  const TrianglePlane plane = fetchTrianglePlane(hit.surface);
-  SurfacePoint point = pointOnPlane(near, plane.normal, plane.distance, direction);
+SurfacePoint pointOnTriangle(vec3 near, uint surface, Primitive primitive, Ray ray) {
+  const TrianglePlane plane = fetchTrianglePlane(surface);
+  SurfacePoint point = pointOnPlane(near, plane.normal, plane.distance, ray.direction, primitive.object);
   const vec3 extent = max(abs(primitive.b - primitive.a), abs(primitive.c - primitive.a));
   point.error += kExtentUlps * kHalfUlp * maxComponent(extent);
   if (kHasCornerNormals && primitive.kind != kPrimitiveFlatTriangle) {
-    const vec3 normal = interpolatedNormal(primitive.kind, hit.weights, point.geometricNormal);
+    // Once more, so that no ray carries its weights through the hierarchy.
+    vec3 weights;
+    intersectTriangle(withoutDenormals(ray), primitive, weights);
+    const vec3 normal = interpolatedNormal(primitive.kind, weights, point.geometricNormal);
     if (normal != vec3(0.0)) point.shadingNormal = normal;
   }
   return point;
@@ -62,13 +68,13 @@ SurfacePoint surfacePoint(Ray ray, Hit hit) {
   const vec3 near = ray.origin + hit.t * ray.direction;
   if (kPlaneCount > 0u && (hit.surface & kPlaneBit) != 0u) {
     const Plane plane = fetchPlane(hit.surface & ~kPlaneBit);
-    return pointOnPlane(near, plane.normal, plane.distance, ray.direction);
+    return pointOnPlane(near, plane.normal, plane.distance, ray.direction, plane.object);
   }
   const Primitive primitive = fetchPrimitive(hit.surface);
   if (kHasSpheres && (!kHasTriangles || primitive.kind == kPrimitiveSphere)) {
-    return pointOnSphere(near, primitive.a, primitive.b.x);
+    return pointOnSphere(near, primitive);
   }
-  return pointOnTriangle(near, hit, primitive, ray.direction);
+  return pointOnTriangle(near, hit.surface, primitive, ray);
 }
 
 // The origin of a ray that leaves the point in `direction`: moved off the surface by the error bound, to the

@@ -5,63 +5,91 @@
 #include "hit.glsl"
 #include "node.glsl"
 
-const uint kNoReference = 0xFFFFFFFFu;  // to a node or a leaf
-
-// Finds the nearest primitive that the ray hits before hit.t, or with `anyHit` any such primitive; never the
-// one named `skipped`. Searches below the packed group `entry`, which is kRootGroup or contains all that the
-// ray can hit. Returns false if the device ended the loops before the search was over (see
-// kMaxTraversalSteps).
+// Finds for each ray of a beam the nearest primitive that it hits before hit.t, or with `anyHit` any such
+// primitive. Searches below the packed group `entry`, which is 0, kRootGroup or contains all that the rays
+// can hit. Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
 //
-// Each iteration of the inner loop takes the nearest waiting child and, if that is an inner node, finds which
-// of its children the ray enters. The loop ends at a leaf, or when nothing waits. A lane that has found its
-// leaf waits for the other lanes of its subgroup, so that the leaves are tested together.
+// Each iteration of the inner loop finds which children of a node the beam enters and takes the next child.
+// The loop ends at a leaf, or when nothing waits. A lane that has found its leaf waits for the other lanes of
+// its subgroup, so that the leaves are tested together.
 //
 // Wherever a device may force an exit, it can be told from a finished search: by a reference that is still to
 // an inner node, by primitives of the leaf that are left, and by `over`.
-bool traverse(const bool anyHit, Ray ray, uint skipped, uint entry, inout Hit hit, inout uint tests) {
-  const RayConstants constants = rayConstants(ray);
+bool traverseBeam(const bool anyHit, Packet packet, Beam beam, uint axis, uint entry,
+                  inout Hit hits[kRaysPerLane], inout uint tests) {
+  ShearedRay sheared[kRaysPerLane];
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) sheared[r] = shearedRay(packet.rays[r], axis);
   GroupStack stack;
   for (uint i = 0u; i < kStackSize; ++i) stack.entries[i] = 0u;
-  NodeGroup group = unpackGroup(entry);
+  stack.entries[0] = entry;
   bool over = false;
   uint steps = 0u;
   do {
-    uint reference = 0u;
+    const float tMax = farthest(hits);
+    uint reference = takeChild(0u, kNoSlots, stack);
     do {
-      // Always true, by the loop's own condition. But without it Mesa 22.3's llvmpipe recomputes `reference`
-      // in later iterations for lanes that have left the loop.
-      if (steps < kMaxTraversalSteps) {
-        const bool pop = group.count == 0u;
-        if (pop) group = unpackGroup(stack.entries[0]);
-        over = group.count == 0u;
-        const uvec4 children = fetchChildren(group.node);
-        const uint slot = group.slots & 3u;
-        const uint child =
-            slot < 2u ? (slot == 0u ? children.x : children.y) : (slot == 2u ? children.z : children.w);
-        reference = over ? kNoReference : child;
-        group.slots >>= 2u;
-        group.count -= over ? 0u : 1u;
-        const bool isNode = reference <= kMaxReference;
-        updateStack(stack, pop, isNode && group.count > 0u, group);
-        const uint node = isNode ? reference : 0u;
-        const NodeGroup entered = sortedGroup(node, enterChildren(ray, constants, node, hit.t));
-        if (isNode) group = entered;
-        if (kCountsTests && isNode) ++tests;
+      if (reference <= kMaxReference) {
+        const uint entered = enteredSlots(!anyHit, enterChildren(beam, reference, tMax));
+        if (kCountsTests) ++tests;
+        reference = takeChild(reference, entered, stack);
         ++steps;
       }
     } while (reference <= kMaxReference && steps < kMaxTraversalSteps);
     if (reference <= kMaxReference) return false;
+    over = reference == kNoReference;
     uint i = reference & kMaxReference;
     const uint end = over ? i : i + (reference >> kLeafShift);
-    while (i < end) {
-      if (i != skipped) hitPrimitive(ray, constants, i, hit);
-      if (kCountsTests && i != skipped) ++tests;
-      ++i;
-    }
+    do {
+      if (i < end) {
+        hitPrimitive(anyHit, packet, sheared, axis, i, hits);
+        if (kCountsTests && i != packet.skipped[0]) ++tests;
+        ++i;
+      }
+    } while (i < end);
     if (i < end) return false;
-    over = over || (anyHit && hit.surface != kNoSurface);
+    over = over || (anyHit && farthest(hits) == kNoRay);
   } while (!over);
   return over;
+}
+
+// As traverseBeam, for any rays: those whose directions have the same signs and the same main axis as the
+// first one's are a beam, then come the others.
+//
+// The condition in the loop is always true, by the loop's own condition. But what Mesa 22.3's llvmpipe
+// computes in a loop and uses after it, it goes on computing for lanes that have left the loop, unless it is
+// assigned under a condition. So do all loops here that end with their condition.
+bool traverse(const bool anyHit, Packet packet, uint entry, inout Hit hits[kRaysPerLane], inout uint tests) {
+  bool waits[kRaysPerLane];
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) waits[r] = hits[r].t > 0.0;
+  bool finished = true;
+  do {
+    if (anyOf(waits)) {
+      bvec3 negative = bvec3(false);
+      uint axis = 0u;
+      bool isIn[kRaysPerLane];
+      bool isFirst = true;
+      Hit found[kRaysPerLane];
+      [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+        const bvec3 rayNegative = entersDownwards(packet.rays[r]);
+        const uint rayAxis = mainAxis(packet.rays[r].direction);
+        if (waits[r] && isFirst) {
+          negative = rayNegative;
+          axis = rayAxis;
+          isFirst = false;
+        }
+        isIn[r] = waits[r] && rayNegative == negative && rayAxis == axis;
+        waits[r] = waits[r] && !isIn[r];
+        found[r] = hits[r];
+        if (!isIn[r]) found[r].t = kNoRay;
+      }
+      const Beam beam = beamOf(packet.rays, isIn, negative);
+      finished = traverseBeam(anyHit, packet, beam, axis, entry, found, tests);
+      [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+        if (isIn[r]) hits[r] = found[r];
+      }
+    }
+  } while (kRaysPerLane > 1u && finished && anyOf(waits));
+  return finished;
 }
 
 #endif

@@ -27,7 +27,16 @@ vec3 objectColor(uint object) {
 vec3 viewedSurface(Ray ray, Hit hit, SurfacePoint point) {
   if (kView == kViewNormal) return kAsData ? point.shadingNormal : 0.5 * point.shadingNormal + 0.5;
   if (kView == kViewDepth) return vec3(min(hit.t * preciseLength(ray.direction), kFarthest), 1.0, 0.0);
-  return kAsData ? vec3(hit.object + 1u) : objectColor(hit.object);
+  return kAsData ? vec3(point.object + 1u) : objectColor(point.object);
+}
+
+// Clamps to [0, 1], written so that a NaN becomes 0. So does a number so small that denormal numbers, which
+// some devices treat as zero, may have changed it.
+float displayed(float c) {
+  return c >= kMinExact ? min(c, 1.0) : 0.0;
+}
+vec3 displayed(vec3 color) {
+  return vec3(displayed(color.r), displayed(color.g), displayed(color.b));
 }
 
 #endif

@@ -21,6 +21,14 @@ struct WideBvh {
 // node reference can address.
 WideBvh widen(const Bvh& bvh);
 
+// A packed group of one child, and the first one of a group.
+constexpr gpu::uint groupOf(gpu::uint node, gpu::uint slot) {
+  return node << gpu::kGroupNodeShift | gpu::kNoSlots << gpu::kBitsPerSlot | slot;
+}
+constexpr gpu::uint firstSlot(gpu::uint group) {
+  return group & ((1U << gpu::kBitsPerSlot) - 1U);
+}
+
 // The box of a node's child, exactly as the shader decodes it; for tests.
 Box childBox(const gpu::BvhNode& node, int child);
 

@@ -65,14 +65,14 @@ class Search {
   [[nodiscard]] gpu::uint descend(gpu::uint group, const Slopes& slopes) const {
     while (group != 0) {
       const gpu::BvhNode& node = scene_.nodes[group >> gpu::kGroupNodeShift];
-      const gpu::uint child = node.children[static_cast<int>((group >> gpu::kGroupSlotsShift) & 3U)];
+      const gpu::uint child = node.children[static_cast<int>(firstSlot(group))];
       if (child > gpu::kMaxReference) return group;
       int reached = 0;
       gpu::uint only = 0;
       for (gpu::uint slot = 0; slot < gpu::kNodeWidth; ++slot) {
         if (!reaches(slopes, childBox(scene_.nodes[child], static_cast<int>(slot)))) continue;
         ++reached;
-        only = child << gpu::kGroupNodeShift | slot << gpu::kGroupSlotsShift | 1U;
+        only = groupOf(child, slot);
       }
       if (reached > 1) return group;
       group = only;

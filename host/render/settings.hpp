@@ -39,6 +39,8 @@ struct RenderSettings {
   bool specialized = true;
   // Reads the scene from storage buffers even where texels reach; for comparison.
   bool sceneInStorage = false;
+  // The most rays that an invocation traces together, of kRaysPerLane; empty is what the work is worth.
+  std::optional<std::uint32_t> raysPerLane;
 };
 
 // Whether each pixel has one sample, in its centre.

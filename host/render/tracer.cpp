@@ -34,6 +34,16 @@ double firstBatchItems(const PipelineVariant& variant) {
   return std::max(double{gpu::kWorkGroupSize}, kFirstBatchRays / (1.0 + variant.lights));
 }
 
+// The pixels that a unit of lanes takes, as in lane.glsl.
+struct PixelBlock {
+  std::uint32_t width;
+  std::uint32_t height;
+};
+PixelBlock unitBlock(std::uint32_t raysPerLane) {
+  if (raysPerLane == 1) return {8, 1};
+  return raysPerLane == 2 ? PixelBlock{4, 4} : PixelBlock{8, 4};
+}
+
 std::uint32_t capacityFor(const vulkan::Device& device, std::uint64_t items) {
   const std::uint64_t reachable =
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
@@ -85,8 +95,7 @@ bool Tracer::run(const SamplePass& pass, std::uint64_t first, const TakeResults&
   using Clock = std::chrono::steady_clock;
   while (first < pass.items) {
     if (stop()) return false;
-    const auto count = static_cast<std::uint32_t>(
-        std::min({static_cast<std::uint64_t>(batchItems_), std::uint64_t{capacity_}, pass.items - first}));
+    const std::uint32_t count = batchCount(pass.items, first);
     const Clock::time_point start = Clock::now();
     const std::uint32_t traced = makeBatch(pass, first, count);
     if (traced > 0) dispatchUntilFinished(traced);
@@ -95,6 +104,18 @@ bool Tracer::run(const SamplePass& pass, std::uint64_t first, const TakeResults&
     first += count;
   }
   return true;
+}
+
+// The items of the next batch. Of pixels' centres it ends with a row of units, if it holds one, so that no
+// lane takes less than it can.
+std::uint32_t Tracer::batchCount(std::uint64_t items, std::uint64_t first) const {
+  const std::uint64_t wanted = std::min(static_cast<std::uint64_t>(batchItems_), std::uint64_t{capacity_});
+  const std::uint64_t end = std::min(first + wanted, items);
+  if (!takesCenters_ || end == items) return static_cast<std::uint32_t>(end - first);
+  const std::uint64_t rowOfUnits =
+      std::uint64_t{constants_.areaWidth} * unitBlock(variant_.raysPerLane).height;
+  const std::uint64_t wholeRows = end / rowOfUnits * rowOfUnits;
+  return static_cast<std::uint32_t>((wholeRows > first ? wholeRows : end) - first);
 }
 
 void Tracer::adaptBatch(double seconds) {
@@ -145,8 +166,20 @@ vulkan::ComputeShader Tracer::makeShader(bool resumable) {
     buffers_[gpu::kBindingStates] =
         vulkan::Buffer::shared(device_, "unfinished work", capacity_ * sizeof(gpu::WorkState));
   }
+  if (resumable) variant_.raysPerLane = 1;
   variant_.specialization[gpu::kSpecResumable] = resumable ? 1 : 0;
-  return {device_, variant_.shader, variant_.specialization, buffers_, sizeof constants_};
+  return {device_, resumable ? variant_.resumable : variant_.shader, variant_.specialization, buffers_,
+          sizeof constants_};
+}
+
+// How many invocations a batch takes.
+std::uint32_t Tracer::lanes(std::uint32_t count) const {
+  if (!takesCenters_) return count;
+  const PixelBlock block = unitBlock(variant_.raysPerLane);
+  const std::uint32_t firstRow = constants_.firstPixel / constants_.areaWidth / block.height;
+  const std::uint32_t lastRow = (constants_.firstPixel + count - 1) / constants_.areaWidth / block.height;
+  const std::uint32_t across = (constants_.areaWidth + block.width - 1) / block.width;
+  return (lastRow - firstRow + 1) * across * gpu::kLanesPerUnit;
 }
 
 gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode) {
@@ -154,7 +187,7 @@ gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_
   *status = {};
   constants_.itemCount = count;
   constants_.mode = mode;
-  shader.dispatch((count + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
+  shader.dispatch((lanes(count) + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
                   std::as_bytes(std::span(&constants_, 1)));
   ++counts_.dispatches;
   counts_.shadowRays += status->shadowRays;

@@ -47,6 +47,8 @@ class Tracer {
  private:
   std::uint32_t makeBatch(const SamplePass& pass, std::uint64_t first, std::uint32_t count);
   void takeBatch(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults);
+  [[nodiscard]] std::uint32_t batchCount(std::uint64_t items, std::uint64_t first) const;
+  [[nodiscard]] std::uint32_t lanes(std::uint32_t count) const;
   void adaptBatch(double seconds);
   void dispatchUntilFinished(std::uint32_t count);
   gpu::DispatchStatus dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode);

@@ -3,12 +3,20 @@
 #include <algorithm>
 
 #include "render/scene_buffers.hpp"
+#include "render2RaysSpirv.spv.h"
+#include "render4RaysSpirv.spv.h"
 #include "renderFewPrimitivesSpirv.spv.h"
+#include "renderFromStorage2RaysSpirv.spv.h"
+#include "renderFromStorage4RaysSpirv.spv.h"
 #include "renderFromStorageSpirv.spv.h"
 #include "renderSpirv.spv.h"
 
 namespace lavaray {
 namespace {
+
+// Estimated rays of a render from which on invocations trace two and four of them together.
+constexpr double kRaysWorthTwo = 0.7e6;
+constexpr double kRaysWorthFour = 2e6;
 
 // A user's shader reads texels.
 bool readsStorage(const vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings) {
@@ -60,6 +68,38 @@ std::uint64_t shadowRays(const PipelineVariant& variant, const GpuScene& scene) 
          (1 + std::uint64_t{variant.maxDepth});
 }
 
+// Roughly the rays that a render traces; at least a sample in each pixel.
+double estimatedRays(const PipelineVariant& variant, const RenderSettings& settings) {
+  const std::uint64_t samples =
+      settings.targetError
+          ? 1
+          : std::max<std::uint64_t>(sampleRange(settings).end - sampleRange(settings).first, 1);
+  return static_cast<double>(settings.crop.pixels()) * static_cast<double>(samples) * (1.0 + variant.lights);
+}
+
+// The more rays, the faster; but the longer a driver compiles, be it only to find that it has done so before
+// (tools/bench_speed/traversal.md). Rays search a hierarchy together; only a single ray's tests are counted,
+// and only a single path is resumed.
+std::uint32_t raysPerLane(const PipelineVariant& variant, const GpuScene& scene,
+                          const RenderSettings& settings) {
+  const bool traverses = !scene.nodes.empty() && !scene.hasFewPrimitives;
+  if (!traverses || !variant.finishesItems || !settings.shader.empty() || settings.view == View::kCost)
+    return 1;
+  if (settings.raysPerLane) return *settings.raysPerLane;
+  const double rays = estimatedRays(variant, settings);
+  return rays < kRaysWorthTwo ? 1 : (rays < kRaysWorthFour ? 2 : 4);
+}
+
+// For more than one ray.
+std::span<const std::uint32_t> moduleOf(std::uint32_t raysPerLane, bool inStorage) {
+  if (raysPerLane == 2) {
+    if (inStorage) return renderFromStorage2RaysSpirv;
+    return render2RaysSpirv;
+  }
+  if (inStorage) return renderFromStorage4RaysSpirv;
+  return render4RaysSpirv;
+}
+
 }  // namespace
 
 std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives) {
@@ -86,16 +126,15 @@ std::vector<std::uint32_t> specializationFor(const GpuScene& scene) {
     values[gpu::kSpecFewTriangles] =
         static_cast<std::uint32_t>(scene.primitives.size()) - values[gpu::kSpecFewSpheres];
   }
-  // The traversal's stack holds nodes above the one that it is at.
-  values[gpu::kSpecStackSize] = std::max(scene.bvhDepth, 2U) - 1U;
+  // The traversal's stack holds the rest of every node on the path, that of the node above the root included.
+  values[gpu::kSpecStackSize] = std::max(scene.bvhDepth, 1U);
   return values;
 }
 
 PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scene,
                               const RenderSettings& settings) {
-  const bool inStorage = readsStorage(device, scene, settings);
   PipelineVariant variant;
-  variant.shader = inStorage ? renderFromStorageSpirv : shaderOf(settings, scene.hasFewPrimitives);
+  const bool inStorage = readsStorage(device, scene, settings);
   variant.sceneUse = inStorage ? vulkan::BufferUse::kStorage : vulkan::BufferUse::kTexels;
   variant.specialization = specialization(scene, settings);
   if (tracesLights(settings.view)) variant.lights = static_cast<std::uint32_t>(scene.lights.size());
@@ -103,6 +142,9 @@ PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scen
   variant.skipsEmptyTiles = skipsEmptyTiles(scene, settings);
   variant.finishesItems =
       settings.specialized && shadowRays(variant, scene) <= gpu::kMaxShadowRaysPerDispatch;
+  variant.raysPerLane = raysPerLane(variant, scene, settings);
+  variant.resumable = inStorage ? renderFromStorageSpirv : shaderOf(settings, scene.hasFewPrimitives);
+  variant.shader = variant.raysPerLane == 1 ? variant.resumable : moduleOf(variant.raysPerLane, inStorage);
   return variant;
 }
 

@@ -13,10 +13,12 @@ namespace lavaray {
 // The pipeline that a render runs: it holds no code for what neither the scene nor the settings need.
 struct PipelineVariant {
   std::span<const std::uint32_t> shader;      // SPIR-V
+  std::span<const std::uint32_t> resumable;   // the same of single rays, which can be resumed
   vulkan::BufferUse sceneUse;                 // how it reads the scene
   std::vector<std::uint32_t> specialization;  // by gpu::kSpec...
   std::uint32_t lights = 0;                   // to which it traces shadow rays
   std::uint32_t maxDepth = 0;                 // mirror bounces
+  std::uint32_t raysPerLane = 1;              // that an invocation traces together
   // Tiles of the picture that can show nothing are not traced.
   bool skipsEmptyTiles = false;
   // Whether a dispatch is expected to finish its items. If not, the pipeline is one that can leave them half

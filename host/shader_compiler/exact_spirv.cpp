@@ -65,20 +65,29 @@ std::vector<std::uint32_t> markExact(std::span<const std::uint32_t> spirv) {
   return exact;
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> finishShader(std::span<const std::uint32_t> spirv) {
-  const std::vector<std::uint32_t> exact = markExact(spirv);
+// Runs the optimizer's passes for size and, where `unrolls`, unrolls the loops that are marked for it.
+std::vector<std::uint32_t> optimize(const std::vector<std::uint32_t>& spirv, bool unrolls) {
   std::string reason = "no reason given";
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   optimizer.SetMessageConsumer([&](spv_message_level_t /*level*/, const char* /*source*/,
                                    const spv_position_t& /*position*/, const char* text) { reason = text; });
   optimizer.RegisterSizePasses();
+  if (unrolls) optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
   std::vector<std::uint32_t> optimized;
-  if (!optimizer.Run(exact.data(), exact.size(), &optimized)) {
+  if (!optimizer.Run(spirv.data(), spirv.size(), &optimized)) {
     throw std::runtime_error("the SPIR-V optimizer fails: " + reason);
   }
   return optimized;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> finishShader(std::span<const std::uint32_t> spirv) {
+  // A loop can be unrolled once it holds no other.
+  constexpr int kNestedLoops = 2;
+  std::vector<std::uint32_t> finished(spirv.begin(), spirv.end());
+  for (int i = 0; i < kNestedLoops; ++i) finished = optimize(markExact(finished), true);
+  return optimize(markExact(finished), false);
 }
 
 }  // namespace lavaray

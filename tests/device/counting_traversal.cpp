@@ -35,7 +35,7 @@ std::optional<double> entryOf(const CountedSearch& search, const Box& box, doubl
   return entry <= exit ? std::optional(entry) : std::nullopt;
 }
 
-// Of the children that the ray enters, the nearest one first.
+// Of the children that the ray enters, the nearest one first; in the order of their slots where any hit does.
 std::vector<Child> enteredChildren(const gpu::BvhNode& node, CountedSearch& search) {
   std::vector<Child> children;
   double unsureEntry = 0.0;
@@ -50,6 +50,7 @@ std::vector<Child> enteredChildren(const gpu::BvhNode& node, CountedSearch& sear
     children.push_back({*entry, slot});
     if (earliest && latest) unsureEntry = std::max(unsureEntry, *latest - *earliest);
   }
+  if (search.isAny) return children;
   std::sort(children.begin(), children.end(), [](const Child& a, const Child& b) {
     return a.entry < b.entry || (a.entry == b.entry && a.slot < b.slot);
   });
@@ -101,7 +102,7 @@ bool visit(const GpuScene& scene, gpu::uint reference, CountedSearch& search) {
 void run(const GpuScene& scene, gpu::uint start, CountedSearch& search) {
   if (start == 0) return;
   const gpu::BvhNode& above = scene.nodes[start >> gpu::kGroupNodeShift];
-  visit(scene, above.children[static_cast<int>((start >> gpu::kGroupSlotsShift) & 3U)], search);
+  visit(scene, above.children[static_cast<int>(firstSlot(start))], search);
 }
 
 }  // namespace lavaray

@@ -13,8 +13,9 @@ inline constexpr std::uint32_t kMiss = 0xFFFFFFFF;
 inline constexpr std::uint32_t kNoSkip = 0xFFFFFFFF;
 
 // Traces the rays on the test device; `mode` is gpu::kTraceClosest, gpu::kTraceAny or gpu::kTraceBruteForce.
-// Planes are left out: they are in no tree.
+// Planes are left out: they are in no tree. An invocation traces so many consecutive rays together: 1, 2
+// or 4.
 std::vector<gpu::ProbeHit> traceRays(const GpuScene& scene, const std::vector<gpu::ProbeRay>& rays,
-                                     gpu::uint mode);
+                                     gpu::uint mode, unsigned raysPerLane = 1);
 
 }  // namespace lavaray

@@ -8,7 +8,11 @@
 #include <span>
 #include <string>
 
+#include "render2RaysSpirv.spv.h"
+#include "render4RaysSpirv.spv.h"
 #include "renderFewPrimitivesSpirv.spv.h"
+#include "renderFromStorage2RaysSpirv.spv.h"
+#include "renderFromStorage4RaysSpirv.spv.h"
 #include "renderFromStorageSpirv.spv.h"
 #include "renderSpirv.spv.h"
 #include "renderUnfinishedSpirv.spv.h"
@@ -54,6 +58,10 @@ TEST(SpirvGate, HasExactArithmeticOnly) {
   expectExactOnly("the renderer's shader", renderSpirv);
   expectExactOnly("of few primitives", renderFewPrimitivesSpirv);
   expectExactOnly("from storage buffers", renderFromStorageSpirv);
+  expectExactOnly("of two rays", render2RaysSpirv);
+  expectExactOnly("of four rays", render4RaysSpirv);
+  expectExactOnly("of two rays from storage buffers", renderFromStorage2RaysSpirv);
+  expectExactOnly("of four rays from storage buffers", renderFromStorage4RaysSpirv);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The device's traversal against brute force with the same primitive tests: the same hit, bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "bvh/flatten.hpp"
@@ -41,6 +42,13 @@ TEST_P(ClosestHit, EqualsBruteForce) {
          grouped(ties) + " name another primitive at the same distance, " + grouped(hits) +
          " rays hit one of " + grouped(gpuScene.primitives.size()) + " primitives; depth of the tree " +
          std::to_string(gpuScene.bvhQuality.depth));
+  for (const unsigned raysPerLane : {2U, 4U}) {
+    const std::vector<gpu::ProbeHit> together = traceRays(gpuScene, rays, gpu::kTraceClosest, raysPerLane);
+    const auto isSame = [](const gpu::ProbeHit& a, const gpu::ProbeHit& b) {
+      return a.t == b.t && a.order == b.order && a.finished == b.finished;
+    };
+    EXPECT_TRUE(std::ranges::equal(closest, together, isSame)) << raysPerLane << " rays together";
+  }
 }
 
 class AnyHit : public testing::TestWithParam<TraversalScene> {};
@@ -58,18 +66,20 @@ TEST_P(AnyHit, EqualsClosestHitNearerThanTheEnd) {
     rays[i].tMax = closest[i].order == kMiss ? 1.0F : closest[i].t * length;
     if (i % 16 == 0 && closest[i].order != kMiss) rays[i].tMax = closest[i].t;  // not nearer, but equal
   }
-  const std::vector<gpu::ProbeHit> any = traceRays(gpuScene, rays, gpu::kTraceAny);
-  std::size_t disagreements = 0;
-  std::size_t blockedRays = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const bool blocked = closest[i].order != kMiss && closest[i].t < rays[i].tMax;
-    if (blocked) ++blockedRays;
-    if ((any[i].order != kMiss) != blocked) ++disagreements;
+  for (const unsigned raysPerLane : {1U, 2U, 4U}) {
+    const std::vector<gpu::ProbeHit> any = traceRays(gpuScene, rays, gpu::kTraceAny, raysPerLane);
+    std::size_t disagreements = 0;
+    std::size_t blockedRays = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const bool blocked = closest[i].order != kMiss && closest[i].t < rays[i].tMax;
+      if (blocked) ++blockedRays;
+      if ((any[i].order != kMiss) != blocked) ++disagreements;
+    }
+    EXPECT_EQ(disagreements, 0U);
+    EXPECT_GT(blockedRays, rays.size() / 50);
+    report(grouped(disagreements) + " disagreements in " + grouped(rays.size()) + " rays, " +
+           std::to_string(raysPerLane) + " together, " + grouped(blockedRays) + " of them blocked");
   }
-  EXPECT_EQ(disagreements, 0U);
-  EXPECT_GT(blockedRays, rays.size() / 50);
-  report(grouped(disagreements) + " disagreements in " + grouped(rays.size()) + " rays, " +
-         grouped(blockedRays) + " of them blocked");
 }
 
 }  // namespace

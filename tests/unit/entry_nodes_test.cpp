@@ -49,7 +49,7 @@ void collectLeaves(const GpuScene& scene, gpu::uint group, const glm::dvec3& dir
                    std::set<gpu::uint>& leaves) {
   if (group == 0) return;
   const gpu::BvhNode& node = scene.nodes[group >> gpu::kGroupNodeShift];
-  const gpu::uint slot = (group >> gpu::kGroupSlotsShift) & 3U;
+  const gpu::uint slot = firstSlot(group);
   const gpu::uint child = node.children[static_cast<int>(slot)];
   const Box box = childBox(node, static_cast<int>(slot));
   if (box.lower.x > box.upper.x || !isHit(box, direction)) return;
@@ -58,7 +58,7 @@ void collectLeaves(const GpuScene& scene, gpu::uint group, const glm::dvec3& dir
     return;
   }
   for (gpu::uint i = 0; i < gpu::kNodeWidth; ++i) {
-    collectLeaves(scene, child << gpu::kGroupNodeShift | i << gpu::kGroupSlotsShift | 1U, direction, leaves);
+    collectLeaves(scene, groupOf(child, i), direction, leaves);
   }
 }
 

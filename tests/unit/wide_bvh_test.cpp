@@ -49,7 +49,7 @@ class Walker {
     for (int i = 0; i < 4; ++i) {
       const Box stored = childBox(node, i);
       if (glm::any(glm::greaterThan(stored.lower, stored.upper))) {
-        EXPECT_EQ(node.children[i], 0U);
+        EXPECT_EQ(node.children[i], gpu::kMissingChild);
         continue;
       }
       const Box below = bounds(node.children[i], nodesAbove + 1);

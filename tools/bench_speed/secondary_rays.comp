@@ -15,7 +15,7 @@ layout(push_constant) uniform PushConstants {
   BatchConstants constants;
 };
 
-const BatchRay kNoRay = BatchRay(vec3(0.0), -1.0, vec3(0.0), kNoSurface);
+const BatchRay kNothing = BatchRay(vec3(0.0), -1.0, vec3(0.0), kNoSurface);
 
 BatchRay mirrorRay(vec3 incoming, SurfacePoint point, uint surface) {
   const vec3 direction = incoming - 2.0 * preciseDot(incoming, point.shadingNormal) * point.shadingNormal;
@@ -23,10 +23,9 @@ BatchRay mirrorRay(vec3 incoming, SurfacePoint point, uint surface) {
 }
 
 BatchRay shadowRay(vec3 light, SurfacePoint point, uint surface) {
-  const vec3 origin = leave(point, light - point.position);
-  const vec3 direction = light - origin;
-  const float end = shadowRayEnd(origin, light, direction);
-  return end > 0.0 ? BatchRay(origin, end, direction, surface) : kNoRay;
+  float end;
+  const Ray ray = shadowRay(point, light, end);
+  return end > 0.0 ? BatchRay(ray.origin, end, ray.direction, surface) : kNothing;
 }
 
 void main() {
@@ -35,17 +34,22 @@ void main() {
   const uvec4 t0 = texelFetch(rayTexels, int(index * kTexelsPerBatchRay));
   const uvec4 t1 = texelFetch(rayTexels, int(index * kTexelsPerBatchRay) + 1);
   const Ray ray = Ray(uintBitsToFloat(t0.xyz), uintBitsToFloat(t1.xyz));
-  Hit hit = missUpTo(uintBitsToFloat(t0.w));
+  Packet packet;
+  packet.rays[0] = ray;
+  packet.skipped[0] = t1.w;
+  Hit hits[kRaysPerLane];
+  hits[0] = missUpTo(uintBitsToFloat(t0.w));
   uint tests = 0u;
-  const bool finished = findHit(false, ray, t1.w, kRootGroup, hit, tests);
+  const bool finished = findHits(false, packet, kRootGroup, hits, tests);
+  const Hit hit = hits[0];
   const bool isHit = finished && hit.surface != kNoSurface;
   const uint first = index * (1u + kLightCount);
   SurfacePoint point;
   if (isHit) point = surfacePoint(ray, hit);
-  secondary[first] = kNoRay;
+  secondary[first] = kNothing;
   if (isHit) secondary[first] = mirrorRay(unit(ray.direction), point, hit.surface);
   for (uint i = 0u; i < kLightCount; ++i) {
-    secondary[first + 1u + i] = kNoRay;
+    secondary[first + 1u + i] = kNothing;
     if (isHit) secondary[first + 1u + i] = shadowRay(fetchLight(i).position, point, hit.surface);
   }
 }

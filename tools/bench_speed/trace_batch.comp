@@ -19,20 +19,28 @@ layout(push_constant) uniform PushConstants {
 };
 
 void main() {
-  const uint index = gl_GlobalInvocationID.x;
-  if (index >= constants.rayCount) return;
-  const uvec4 t0 = texelFetch(rayTexels, int(index * kTexelsPerBatchRay));
-  const uvec4 t1 = texelFetch(rayTexels, int(index * kTexelsPerBatchRay) + 1);
-  const Ray ray = Ray(uintBitsToFloat(t0.xyz), uintBitsToFloat(t1.xyz));
-  const float tMax = uintBitsToFloat(t0.w);
-  const uint skipped = t1.w;
-  if (kBatchMode == kBatchNoTrace) {
-    distances[index] = preciseDot(ray.origin, ray.direction) + tMax + float(skipped);
-    return;
+  const uint first = gl_GlobalInvocationID.x * kRaysPerLane;
+  if (first >= constants.rayCount) return;
+  Packet packet;
+  Hit hits[kRaysPerLane];
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+    const int texel = int(min(first + r, constants.rayCount - 1u) * kTexelsPerBatchRay);
+    const uvec4 t0 = texelFetch(rayTexels, texel);
+    const uvec4 t1 = texelFetch(rayTexels, texel + 1);
+    packet.rays[r] = Ray(uintBitsToFloat(t0.xyz), uintBitsToFloat(t1.xyz));
+    packet.skipped[r] = t1.w;
+    hits[r] = missUpTo(first + r < constants.rayCount ? uintBitsToFloat(t0.w) : kNoRay);
   }
-  Hit hit = missUpTo(tMax);
   uint tests = 0u;
-  const bool finished = findHit(kBatchMode == kBatchAny, ray, skipped, kRootGroup, hit, tests);
+  bool finished = true;
+  if (kBatchMode != kBatchNoTrace)
+    finished = findHits(kBatchMode == kBatchAny, packet, kRootGroup, hits, tests);
   const float nan = uintBitsToFloat(0x7FC00000u);
-  distances[index] = !finished ? nan : (hit.surface == kNoSurface ? kInfinity : hit.t);
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+    if (first + r >= constants.rayCount) continue;
+    float t = !finished ? nan : (hits[r].surface == kNoSurface ? kInfinity : hits[r].t);
+    if (kBatchMode == kBatchNoTrace)
+      t = preciseDot(packet.rays[r].origin, packet.rays[r].direction) + hits[r].t;
+    distances[first + r] = t;
+  }
 }

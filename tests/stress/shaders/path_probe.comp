@@ -18,12 +18,16 @@ void main() {
   const uint index = gl_GlobalInvocationID.x;
   if (index >= constants.width * constants.height) return;
   const vec2 pixel = vec2(index % constants.width, index / constants.width);
-  const Ray ray =
-      cameraRay(pixel + 0.5, 0.5 * vec2(constants.width, constants.height), constants.focalLength);
-  PathState path = PathState(vec3(0.0), 0u, 0u, 0u);
+  Ray rays[kRaysPerLane];
+  rays[0] = cameraRay(pixel + 0.5, 0.5 * vec2(constants.width, constants.height), constants.focalLength);
+  bool isThere[kRaysPerLane];
+  isThere[0] = true;
+  PathState path;
+  clear(path);
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
   const uint shuffled = shuffledIndex(0u, hashCombine(index, kUseOfPixel));
-  const PathSettings settings = PathSettings(constants.maxDepth, 0u, index, shuffled);
-  const bool finished = tracePath(ray, kRootGroup, settings, path, counts);
-  colors[index] = PathColor(path.color, finished ? 1u : 0u);
+  PathSettings settings[kRaysPerLane];
+  settings[0] = PathSettings(constants.maxDepth, 0u, index, shuffled);
+  const bool finished = tracePaths(rays, isThere, kRootGroup, settings, path, counts);
+  colors[index] = PathColor(path.color[0], finished ? 1u : 0u);
 }

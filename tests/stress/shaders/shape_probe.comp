@@ -2,7 +2,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "intersect.glsl"
+#include "hit.glsl"
+#include "node.glsl"
 #include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
@@ -17,24 +18,28 @@ layout(push_constant) uniform PushConstants {
 };
 
 // The box four times, as a node holds it.
-float intersectBox(Ray ray, RayConstants constants, vec3 lower, vec3 upper, float tMax) {
+float intersectBox(Ray ray, vec3 lower, vec3 upper, float tMax) {
+  Ray rays[kRaysPerLane];
+  rays[0] = ray;
+  bool isIn[kRaysPerLane];
+  isIn[0] = true;
+  const Beam beam = beamOf(rays, isIn, entersDownwards(ray));
   vec4 near[3];
   vec4 far[3];
   for (int axis = 0; axis < 3; ++axis) {
-    near[axis] = vec4(constants.negative[axis] ? upper[axis] : lower[axis]);
-    far[axis] = vec4(constants.negative[axis] ? lower[axis] : upper[axis]);
+    near[axis] = vec4(beam.negative[axis] ? upper[axis] : lower[axis]);
+    far[axis] = vec4(beam.negative[axis] ? lower[axis] : upper[axis]);
   }
-  const vec4 entry = intersectBoxes(ray, constants, near, far, tMax);
+  const vec4 entry = intersectBoxes(beam, near, far, tMax);
   return entry == entry.yzwx ? entry.x : -1.0;  // -1, which is no distance, if the four differ
 }
 
 float intersectShape(Ray ray, ShapeQuery query) {
   if (query.shape == kShapeSphere) return intersectSphere(ray, query.a, query.b.x);
   if (query.shape == kShapePlane) return intersectPlane(ray, query.a, query.b.x);
-  const RayConstants rayConstants = rayConstants(ray);
-  if (query.shape == kShapeBox) return intersectBox(ray, rayConstants, query.a, query.b, query.tMax);
+  if (query.shape == kShapeBox) return intersectBox(ray, query.a, query.b, query.tMax);
   vec3 weights;
-  return intersectTriangle(ray, rayConstants, query.a, query.b, query.c, weights);
+  return intersectTriangle(ray, Primitive(query.a, 0u, query.b, 0u, query.c, 0u), weights);
 }
 
 void main() {

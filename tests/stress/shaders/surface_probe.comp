@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "light.glsl"
-#include "shade.glsl"
+#include "single_ray.glsl"
 #include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
@@ -30,8 +30,7 @@ void main() {
   const SurfaceQuery query = queries[index];
   const Ray ray = Ray(query.origin, query.direction);
   Hit hit = missUpTo(kInfinity);
-  uint tests = 0u;
-  findHit(false, ray, kNoSurface, kRootGroup, hit, tests);
+  findHit(false, ray, kNoSurface, hit);
   SurfaceAnswer answer;
   answer.surface = hit.surface;
   if (hit.surface != kNoSurface) {
@@ -47,11 +46,9 @@ void main() {
     answer.leaving = leaving.direction;
     Hit next = missUpTo(kInfinity);
     const uint skipped = query.skipsItself != 0u ? hit.surface : kNoSurface;
-    findHit(false, leaving, skipped, kRootGroup, next, tests);
+    findHit(false, leaving, skipped, next);
     answer.hitsItself = next.surface == hit.surface ? 1u : 0u;
-    bool blocked;
-    findShadow(point, hit.surface, query.light, blocked, tests);
-    answer.blocked = blocked ? 1u : 0u;
+    answer.blocked = isInShadow(point, hit.surface, query.light) ? 1u : 0u;
   }
   answers[index] = answer;
 }

@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "shade.glsl"
+#include "single_ray.glsl"
 #include "stress_probes.h"
 
 layout(local_size_x = kWorkGroupSize) in;
@@ -18,10 +18,7 @@ layout(push_constant) uniform PushConstants {
 
 // A point in space is taken for a point, known without error, of a surface that is not in the scene.
 bool isBlocked(vec3 from, vec3 to) {
-  bool blocked;
-  uint tests = 0u;
-  findShadow(SurfacePoint(from, 0.0, vec3(0.0), vec3(0.0)), kNoSurface, to, blocked, tests);
-  return blocked;
+  return isInShadow(SurfacePoint(0u, from, 0.0, vec3(0.0), vec3(0.0)), kNoSurface, to);
 }
 
 void main() {
