@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
+#include "bvh/frame.hpp"
 #include "embree.hpp"
 #include "embree_picture.hpp"
 #include "peer.hpp"
@@ -19,7 +20,7 @@ constexpr std::size_t kBlock = 1024;  // rays that a thread takes at once
 
 class Embree : public Peer {
  public:
-  Embree(const Scene& scene, unsigned threads) : input_(scene), threads_(threads) {
+  Embree(const Scene& scene, unsigned threads) : input_(scene), frame_(frameOf(scene)), threads_(threads) {
     device_ = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
     if (device_ == nullptr) throw Error(ExitCode::kInternalError, "Embree makes no device");
     rtcSetDeviceMemoryMonitorFunction(
@@ -66,7 +67,7 @@ class Embree : public Peer {
   }
 
   void render(const Variant& variant, const ImageSize& size, std::span<float> rgb) override {
-    renderWithEmbree(variant.isRobust ? robust_ : default_, input_, size, threads_, rgb);
+    renderWithEmbree(variant.isRobust ? robust_ : default_, input_, frame_, size, threads_, rgb);
   }
 
   void build() override {
@@ -82,7 +83,9 @@ class Embree : public Peer {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) vertices[i] = relative(mesh.positions[i]);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      vertices[i] = frame_.position(mesh.positions[i]);
+    }
     using Indices = std::array<std::uint32_t, 3>;
     auto* indices = static_cast<Indices*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Indices), mesh.triangles.size()));
@@ -95,12 +98,11 @@ class Embree : public Peer {
     auto* places = static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), input_.spheres.size()));
     for (std::size_t i = 0; i < input_.spheres.size(); ++i) {
-      places[i] = glm::vec4(relative(input_.spheres[i].center), static_cast<float>(input_.spheres[i].radius));
+      const Sphere& sphere = input_.spheres[i];
+      places[i] = glm::vec4(frame_.position(sphere.center), frame_.length(sphere.radius));
     }
     return geometry;
   }
-
-  [[nodiscard]] glm::vec3 relative(const glm::dvec3& point) const { return point - input_.camera.position; }
 
   RTCScene commit(RTCSceneFlags flags) {
     RTCScene scene = rtcNewScene(device_);
@@ -176,6 +178,7 @@ class Embree : public Peer {
   }
 
   const Scene& input_;
+  Frame frame_;
   unsigned threads_;
   RTCDevice device_ = nullptr;
   RTCGeometry geometry_ = nullptr;

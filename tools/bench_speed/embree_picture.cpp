@@ -14,7 +14,7 @@ namespace lavaray::bench {
 namespace {
 
 struct FloatLight {
-  glm::vec3 position;  // relative to the camera
+  glm::vec3 position;
   glm::vec3 ambient;
   glm::vec3 diffuse;
   glm::vec3 specular;
@@ -33,11 +33,10 @@ RTCRay makeRay(const glm::vec3& origin, const glm::vec3& direction, float tMax) 
 
 class Picture {
  public:
-  Picture(RTCScene embree, const Scene& scene, const ImageSize& size)
+  Picture(RTCScene embree, const Scene& scene, const Frame& frame, const ImageSize& size)
       : embree_(embree), size_(size), focalLength_(static_cast<float>(scene.camera.focalLength)) {
     for (const Light& light : scene.lights) {
-      lights_.push_back(
-          {light.position - scene.camera.position, light.ambient, light.diffuse, light.specular});
+      lights_.push_back({frame.position(light.position), light.ambient, light.diffuse, light.specular});
     }
     // All shapes of a benchmark's scene share a material.
     const Material& m = scene.materials.front();
@@ -92,10 +91,10 @@ class Picture {
 
 }  // namespace
 
-void renderWithEmbree(RTCScene embree, const Scene& scene, const ImageSize& size, unsigned threads,
-                      std::span<float> rgb) {
+void renderWithEmbree(RTCScene embree, const Scene& scene, const Frame& frame, const ImageSize& size,
+                      unsigned threads, std::span<float> rgb) {
   parallelFor(size.height, threads, [&](std::size_t row) {
-    Picture picture(embree, scene, size);
+    Picture picture(embree, scene, frame, size);
     float* out = rgb.data() + 3 * row * size.width;
     for (int x = 0; x < size.width; ++x) {
       const glm::vec3 color = picture.pixel(x, static_cast<int>(row));

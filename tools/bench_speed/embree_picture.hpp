@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "bvh/frame.hpp"
 #include "embree.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
@@ -9,8 +10,8 @@
 namespace lavaray::bench {
 
 // Renders the scene's picture with single rays of Embree: camera rays, a shadow ray to each light, and
-// lavaray's illumination. `embree` holds the shapes relative to the camera. `rgb` is row by row.
-void renderWithEmbree(RTCScene embree, const Scene& scene, const ImageSize& size, unsigned threads,
-                      std::span<float> rgb);
+// lavaray's illumination. `embree` holds the shapes in the frame. `rgb` is row by row.
+void renderWithEmbree(RTCScene embree, const Scene& scene, const Frame& frame, const ImageSize& size,
+                      unsigned threads, std::span<float> rgb);
 
 }  // namespace lavaray::bench

@@ -10,8 +10,8 @@
 
 namespace lavaray::bench {
 
-// Another ray tracer in this process. It has the scene's shapes in float32, relative to the camera, in the
-// scene's order: the very numbers that lavaray has.
+// Another ray tracer in this process. It has the scene's shapes in float32, in the scene's Frame and order:
+// the very numbers that lavaray has.
 class Peer {
  public:
   virtual ~Peer() = default;
