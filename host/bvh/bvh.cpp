@@ -66,8 +66,8 @@ class Builder {
     bvh_.order.resize(primitives);
   }
 
-  Bvh build(std::span<const Box> boxes) {
-    std::vector<Range> level{makeReferences(boxes)};
+  Bvh build(const std::function<Box(std::uint32_t)>& boxOf) {
+    std::vector<Range> level{makeReferences(boxOf)};
     std::vector<Range> subtrees;
     while (!level.empty()) {
       const auto large = std::partition(level.begin(), level.end(),
@@ -82,13 +82,13 @@ class Builder {
 
  private:
   // Returns the range of all references.
-  Range makeReferences(std::span<const Box> boxes) {
-    Range all{0, 0, static_cast<std::uint32_t>(boxes.size()), 0, {}};
+  Range makeReferences(const std::function<Box(std::uint32_t)>& boxOf) {
+    Range all{0, 0, static_cast<std::uint32_t>(references_.size()), 0, {}};
     const std::vector<Chunk> chunks = chunksOf(std::span(&all, 1));
     std::vector<Bounds> bounds(chunks.size());
     parallelFor(chunks.size(), threads_, [&](std::size_t c) {
       for (std::uint32_t i = chunks[c].first; i < chunks[c].first + chunks[c].count; ++i) {
-        references_[i] = makeReference(boxes[i], i);
+        references_[i] = makeReference(boxOf(i), i);
         bounds[c].extend(references_[i]);
       }
     });
@@ -225,9 +225,14 @@ void measureNode(const Bvh& bvh, std::uint32_t index, unsigned depth, double roo
 
 }  // namespace
 
+Bvh buildBvh(std::uint32_t count, const std::function<Box(std::uint32_t)>& boxOf, unsigned threads) {
+  assert(count > 0 && count <= gpu::kMaxReference);
+  return Builder(count, threads).build(boxOf);
+}
+
 Bvh buildBvh(std::span<const Box> boxes, unsigned threads) {
-  assert(!boxes.empty() && boxes.size() <= gpu::kMaxReference);
-  return Builder(boxes.size(), threads).build(boxes);
+  return buildBvh(
+      static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }, threads);
 }
 
 Bvh oneLeaf(std::span<const Box> boxes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,9 +33,11 @@ struct Bvh {
 };
 
 // Builds top-down and chooses each split by the surface area heuristic: over bins where there are many
-// primitives (bins.hpp), over every split where there are few (sweep.hpp). `boxes` must not be empty and its
-// coordinates must be finite. No path has more than gpu::kMaxBvhDepth inner nodes, no leaf more than
-// gpu::kMaxLeafSize primitives. `threads` >= 1 affects the time, never the result.
+// primitives (bins.hpp), over every split where there are few (sweep.hpp). `count` must not be 0; boxOf,
+// which several threads may call at once, returns a primitive's box, whose coordinates must be finite. No
+// path has more than gpu::kMaxBvhDepth inner nodes, no leaf more than gpu::kMaxLeafSize primitives. `threads`
+// >= 1 affects the time, never the result.
+Bvh buildBvh(std::uint32_t count, const std::function<Box(std::uint32_t)>& boxOf, unsigned threads);
 Bvh buildBvh(std::span<const Box> boxes, unsigned threads);
 
 // A single leaf with all primitives, at most gpu::kMaxLeafSize, in their original order.

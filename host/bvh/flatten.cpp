@@ -1,5 +1,10 @@
 #include "bvh/flatten.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <vector>
+
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -16,38 +21,84 @@ namespace {
 // them, and a ray that reaches one has to test them all.
 constexpr std::uint32_t kManyCoincident = 64;
 
-std::vector<Box> boundingBoxes(const Primitives& primitives, unsigned threads) {
-  constexpr std::size_t kChunkSize = 16384;
-  std::vector<Box> boxes(primitives.shapes.size());
-  parallelFor((boxes.size() + kChunkSize - 1) / kChunkSize, threads, [&](std::size_t chunk) {
-    const std::size_t end = std::min(boxes.size(), (chunk + 1) * kChunkSize);
-    for (std::size_t i = chunk * kChunkSize; i < end; ++i) boxes[i] = boundingBox(primitives.shapes[i]);
+// The hierarchy over those primitives whose numbers are given.
+Bvh buildOver(const Primitives& primitives, std::span<const std::uint32_t> chosen, unsigned threads) {
+  Bvh bvh = buildBvh(
+      static_cast<std::uint32_t>(chosen.size()), [&](std::uint32_t i) { return primitives.box(chosen[i]); },
+      threads);
+  for (std::uint32_t& i : bvh.order) i = chosen[i];
+  return bvh;
+}
+
+Bvh oneLeafOf(const Primitives& primitives) {
+  const std::vector<std::uint32_t> chosen = spheresFirst(primitives);
+  std::vector<Box> boxes;
+  for (const std::uint32_t i : chosen) boxes.push_back(primitives.box(i));
+  Bvh bvh = oneLeaf(boxes);
+  for (std::uint32_t& i : bvh.order) i = chosen[i];
+  return bvh;
+}
+
+// Makes the arrays of spheres and triangles: these primitives, in this order.
+void fillPrimitives(const Primitives& primitives, std::span<const std::uint32_t> order, unsigned threads,
+                    GpuScene& result) {
+  constexpr std::size_t kChunkSize = 4096;
+  const std::size_t chunks = (order.size() + kChunkSize - 1) / kChunkSize;
+  const auto chunk = [&](std::size_t c) {
+    return order.subspan(c * kChunkSize, std::min(kChunkSize, order.size() - c * kChunkSize));
+  };
+  std::vector<std::uint32_t> cornerNormals(chunks + 1, 0);  // before each chunk, and in all
+  if (primitives.hasCornerNormals()) {
+    parallelFor(chunks, threads, [&](std::size_t c) {
+      const auto smooth =
+          std::ranges::count_if(chunk(c), [&](std::uint32_t i) { return primitives.hasCornerNormals(i); });
+      cornerNormals[c + 1] = 3 * static_cast<std::uint32_t>(smooth);
+    });
+    std::partial_sum(cornerNormals.begin(), cornerNormals.end(), cornerNormals.begin());
+  }
+  result.primitives.resize(order.size());
+  if (primitives.hasTriangles()) result.trianglePlanes.resize(order.size());
+  result.cornerNormals.resize(cornerNormals.back());
+  parallelFor(chunks, threads, [&](std::size_t c) {
+    std::size_t place = c * kChunkSize;
+    std::uint32_t cornerNormal = cornerNormals[c];
+    for (const std::uint32_t i : chunk(c)) {
+      gpu::Primitive shape = primitives.shape(i);
+      if (!result.cornerNormals.empty() && primitives.hasCornerNormals(i)) {
+        shape.kind = cornerNormal;
+        std::ranges::copy(primitives.cornerNormals(i), &result.cornerNormals[cornerNormal]);
+        cornerNormal += 3;
+      }
+      result.primitives[place] = shape;
+      if (!result.trianglePlanes.empty()) result.trianglePlanes[place] = primitives.plane(i);
+      ++place;
+    }
   });
-  return boxes;
+}
+
+// A function of its own, so that the binary hierarchy is gone before the primitives are made.
+WideBvh buildHierarchy(const Primitives& primitives, unsigned threads, GpuScene& result) {
+  Bvh bvh = result.hasFewPrimitives
+                ? oneLeafOf(primitives)
+                : buildBvh(
+                      primitives.size(), [&](std::uint32_t i) { return primitives.box(i); }, threads);
+  if (bvh.largestCoincidentGroup > kManyCoincident) {
+    const std::vector<std::uint32_t> kept = withoutCoincident(primitives);
+    result.droppedDuplicates = primitives.size() - kept.size();
+    if (result.droppedDuplicates > 0) bvh = buildOver(primitives, kept, threads);
+  }
+  result.bvhQuality = measure(bvh);
+  return widen(bvh);
 }
 
 void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {
-  Primitives primitives = collectPrimitives(scene);
+  const Primitives primitives(scene);
   result.hasFewPrimitives = hasFewPrimitives(scene);
-  if (primitives.shapes.empty()) return;
-  if (result.hasFewPrimitives) putSpheresFirst(primitives);
-  Bvh bvh = result.hasFewPrimitives ? oneLeaf(boundingBoxes(primitives, threads))
-                                    : buildBvh(boundingBoxes(primitives, threads), threads);
-  if (bvh.largestCoincidentGroup > kManyCoincident) {
-    result.droppedDuplicates = removeCoincident(primitives);
-    if (result.droppedDuplicates > 0) bvh = buildBvh(boundingBoxes(primitives, threads), threads);
-  }
-  result.bvhQuality = measure(bvh);
-  WideBvh wide = widen(bvh);
+  if (primitives.size() == 0) return;
+  WideBvh wide = buildHierarchy(primitives, threads, result);
   result.nodes = std::move(wide.nodes);
   result.bvhDepth = wide.depth;
-  result.primitives.reserve(wide.order.size());
-  for (const std::uint32_t i : wide.order) result.primitives.push_back(primitives.shapes[i]);
-  result.trianglePlanes.reserve(primitives.planes.size());
-  if (!primitives.planes.empty()) {
-    for (const std::uint32_t i : wide.order) result.trianglePlanes.push_back(primitives.planes[i]);
-  }
-  result.cornerNormals = std::move(primitives.cornerNormals);
+  fillPrimitives(primitives, wide.order, threads, result);
   result.hasSpheres = !scene.spheres.empty();
   result.hasTriangles = !result.trianglePlanes.empty();
   result.hasCornerNormals = !result.cornerNormals.empty();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -50,14 +49,6 @@ class Extent {
 
 }  // namespace
 
-glm::vec3 Frame::position(const glm::dvec3& point) const {
-  return toFloat(scale * (point - origin));
-}
-
-float Frame::length(double length) const {
-  return toFloat(scale * length);
-}
-
 float Frame::planeDistance(const glm::dvec3& normal, const glm::dvec3& point) const {
   return toFloat(scale * glm::dot(normal, point - origin));
 }
@@ -71,15 +62,6 @@ Frame frameOf(const Scene& scene) {
   int exponent = measure > 0.0 ? std::min(-std::ilogb(measure), kMaxExponent) : 0;
   if (extent.far() > 0.0) exponent = std::min(exponent, kMaxFarExponent - std::ilogb(extent.far()));
   return {scene.camera.position, std::ldexp(1.0, std::max(exponent, 0))};
-}
-
-float toFloat(double value) {
-  const auto rounded = static_cast<float>(value);
-  return std::abs(rounded) < std::numeric_limits<float>::min() ? 0.0F : rounded;
-}
-
-glm::vec3 toFloat(const glm::dvec3& v) {
-  return {toFloat(v.x), toFloat(v.y), toFloat(v.z)};
 }
 
 }  // namespace lavaray

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/uninitialized_vector.hpp"
 #include "bvh/bvh.hpp"
 #include "interface.h"
 #include "scene/camera.hpp"
@@ -13,11 +14,12 @@ namespace lavaray {
 // The scene as the shaders read it: float32, in the coordinates of its Frame (frame.hpp). Getting there in
 // double precision keeps the full precision of coordinates near the camera, wherever the scene lies.
 struct GpuScene {
-  std::vector<gpu::BvhNode> nodes;                 // see WideBvh; empty if there are no primitives
+  UninitializedVector<gpu::BvhNode> nodes;         // see WideBvh; empty if there are no primitives
   std::uint32_t bvhDepth = 0;                      // inner nodes on the longest path
-  std::vector<gpu::Primitive> primitives;          // in the order of the BVH's leaves
-  std::vector<gpu::TrianglePlane> trianglePlanes;  // one per primitive if there is a triangle, else empty
-  std::vector<gpu::CornerNormal> cornerNormals;    // three for each triangle that has them
+  UninitializedVector<gpu::Primitive> primitives;  // in the order of the BVH's leaves
+  UninitializedVector<gpu::TrianglePlane>
+      trianglePlanes;  // one per primitive if there is a triangle, else empty
+  UninitializedVector<gpu::CornerNormal> cornerNormals;  // three for each triangle that has them
   std::vector<gpu::Plane> planes;
   std::vector<gpu::Light> lights;
   std::vector<gpu::Material> materials;  // indexed by object

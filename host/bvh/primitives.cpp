@@ -1,99 +1,32 @@
 #include "bvh/primitives.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <span>
+#include <limits>
+#include <numeric>
 #include <string>
 #include <unordered_map>
-#include <utility>
 
 #include "base/errors.hpp"
 #include "base/text_location.hpp"
 #include "base/vector_math.hpp"
-#include "bvh/frame.hpp"
 
 namespace lavaray {
 namespace {
 
-class Collector {
- public:
-  Collector(const Scene& scene, std::size_t shapes) : scene_(scene), frame_(frameOf(scene)) {
-    std::size_t cornerNormals = 0;
-    for (const MeshObject& mesh : scene.meshObjects) {
-      const Mesh& file = scene.meshes[mesh.mesh];
-      if (!file.normals.empty()) cornerNormals += 3 * file.triangles.size();
-    }
-    result_.shapes.reserve(shapes);
-    if (hasTriangles()) result_.planes.reserve(shapes);
-    result_.cornerNormals.reserve(cornerNormals);
-  }
+// The object of an array's element, or one after every object.
+template <typename Element>
+std::uint32_t objectAt(const std::vector<Element>& elements, std::size_t index) {
+  return index < elements.size() ? elements[index].object : std::numeric_limits<std::uint32_t>::max();
+}
 
-  // In file order: each of the scene's arrays is sorted by object, so this merges them.
-  Primitives collect() {
-    std::size_t sphere = 0;
-    std::size_t triangle = 0;
-    std::size_t mesh = 0;
-    for (std::uint32_t object = 0; object < scene_.materials.size(); ++object) {
-      if (sphere < scene_.spheres.size() && scene_.spheres[sphere].object == object) {
-        addSphere(scene_.spheres[sphere++]);
-      } else if (triangle < scene_.triangles.size() && scene_.triangles[triangle].object == object) {
-        addTriangle(scene_.triangles[triangle++].vertices, object, gpu::kPrimitiveFlatTriangle);
-      } else if (mesh < scene_.meshObjects.size() && scene_.meshObjects[mesh].object == object) {
-        addMesh(scene_.meshes[scene_.meshObjects[mesh++].mesh], object);
-      }
-    }
-    return std::move(result_);
-  }
-
- private:
-  [[nodiscard]] gpu::uint nextOrder() const { return static_cast<gpu::uint>(result_.shapes.size()); }
-
-  void addSphere(const Sphere& sphere) {
-    const glm::vec3 radius(frame_.length(sphere.radius), 0.0F, 0.0F);
-    result_.shapes.push_back({frame_.position(sphere.center), gpu::kPrimitiveSphere, radius, sphere.object,
-                              glm::vec3(0.0F), nextOrder()});
-    if (hasTriangles()) result_.planes.push_back({glm::vec3(0.0F), 0.0F});
-  }
-
-  void addTriangle(const std::array<glm::dvec3, 3>& v, std::uint32_t object, gpu::uint firstCornerNormal) {
-    const glm::dvec3 normal = unitOrZero(glm::cross(unitOrZero(v[1] - v[0]), unitOrZero(v[2] - v[0])));
-    result_.shapes.push_back({frame_.position(v[0]), firstCornerNormal, frame_.position(v[1]), object,
-                              frame_.position(v[2]), nextOrder()});
-    result_.planes.push_back({toFloat(normal), frame_.planeDistance(normal, v[0])});
-  }
-
-  void addMesh(const Mesh& mesh, std::uint32_t object) {
-    for (const MeshTriangle& triangle : mesh.triangles) {
-      gpu::uint firstCornerNormal = gpu::kPrimitiveFlatTriangle;
-      if (triangle.normals[0] != kNoNormal) {
-        firstCornerNormal = static_cast<gpu::uint>(result_.cornerNormals.size());
-        addCornerNormals(mesh, triangle);
-      }
-      const auto [a, b, c] = triangle.positions;
-      addTriangle({mesh.positions[a], mesh.positions[b], mesh.positions[c]}, object, firstCornerNormal);
-    }
-  }
-
-  // Keeps the normals' relative lengths, since interpolation depends on them, but scales all three into the
-  // range where float32 preserves their directions.
-  void addCornerNormals(const Mesh& mesh, const MeshTriangle& triangle) {
-    double largest = 0.0;
-    for (const std::uint32_t n : triangle.normals)
-      largest = std::max(largest, largestComponent(mesh.normals[n]));
-    for (const std::uint32_t n : triangle.normals) {
-      result_.cornerNormals.push_back(
-          {toFloat(largest > 0.0 ? mesh.normals[n] / largest : glm::dvec3(0.0)), 0});
-    }
-  }
-
-  [[nodiscard]] bool hasTriangles() const { return !scene_.triangles.empty() || !scene_.meshObjects.empty(); }
-
-  const Scene& scene_;
-  Frame frame_;
-  Primitives result_;
-};
+// The index of the first element from `index` on whose object is not below the given one.
+template <typename Element>
+std::size_t skipBelow(const std::vector<Element>& elements, std::size_t index, std::uint32_t object) {
+  while (index < elements.size() && elements[index].object < object) ++index;
+  return index;
+}
 
 // Equal for shapes that coincide: a triangle's vertices in any order, or a sphere's centre and radius, as
 // bits.
@@ -126,32 +59,116 @@ struct ShapeKeyHash {
 
 }  // namespace
 
-std::size_t primitiveCount(const Scene& scene) {
-  std::size_t count = scene.spheres.size() + scene.triangles.size();
-  for (const MeshObject& mesh : scene.meshObjects) count += scene.meshes[mesh.mesh].triangles.size();
-  return count;
-}
-
-Primitives collectPrimitives(const Scene& scene) {
+// Each of the scene's arrays is sorted by object, so this merges them.
+Primitives::Primitives(const Scene& scene) : scene_(scene), frame_(frameOf(scene)) {
   const std::size_t count = primitiveCount(scene);
   if (count > gpu::kMaxReference) {
     throw Error(ExitCode::kInput, printable(scene.file.native()) + ": " + std::to_string(count) +
                                       " spheres and triangles; at most " +
                                       std::to_string(gpu::kMaxReference) + " are allowed");
   }
-  return Collector(scene, count).collect();
-}
-
-void putSpheresFirst(Primitives& primitives) {
-  const std::vector<gpu::Primitive> shapes = std::exchange(primitives.shapes, {});
-  const std::vector<gpu::TrianglePlane> planes = std::exchange(primitives.planes, {});
-  for (const bool spheres : {true, false}) {
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      if ((shapes[i].kind == gpu::kPrimitiveSphere) != spheres) continue;
-      primitives.shapes.push_back(shapes[i]);
-      if (!planes.empty()) primitives.planes.push_back(planes[i]);
+  std::size_t sphere = 0;
+  std::size_t triangle = 0;
+  std::size_t mesh = 0;
+  while (size_ < count) {
+    const std::uint32_t nextSphere = objectAt(scene.spheres, sphere);
+    const std::uint32_t nextTriangle = objectAt(scene.triangles, triangle);
+    const std::uint32_t nextMesh = objectAt(scene.meshObjects, mesh);
+    if (nextSphere < std::min(nextTriangle, nextMesh)) {
+      const std::size_t end = skipBelow(scene.spheres, sphere + 1, std::min(nextTriangle, nextMesh));
+      addRun(Source::kSpheres, sphere, end - sphere, nullptr);
+      sphere = end;
+    } else if (nextTriangle < nextMesh) {
+      const std::size_t end = skipBelow(scene.triangles, triangle + 1, std::min(nextSphere, nextMesh));
+      addRun(Source::kTriangles, triangle, end - triangle, nullptr);
+      triangle = end;
+    } else {
+      const MeshObject& object = scene.meshObjects[mesh++];
+      addRun(Source::kMesh, 0, scene.meshes[object.mesh].triangles.size(), &object);
     }
   }
+}
+
+void Primitives::addRun(Source source, std::size_t begin, std::size_t count, const MeshObject* mesh) {
+  if (count == 0) return;
+  runs_.push_back({size_, source, begin, mesh != nullptr ? &scene_.meshes[mesh->mesh] : nullptr,
+                   mesh != nullptr ? mesh->object : 0});
+  size_ += static_cast<std::uint32_t>(count);
+}
+
+bool Primitives::hasTriangles() const {
+  return !scene_.triangles.empty() || !scene_.meshObjects.empty();
+}
+
+bool Primitives::hasCornerNormals() const {
+  return std::ranges::any_of(
+      runs_, [](const Run& run) { return run.mesh != nullptr && !run.mesh->normals.empty(); });
+}
+
+const Primitives::Run& Primitives::runOf(std::uint32_t index) const {
+  const auto after = std::upper_bound(runs_.begin(), runs_.end(), index,
+                                      [](std::uint32_t i, const Run& run) { return i < run.first; });
+  return *(after - 1);
+}
+
+std::array<glm::dvec3, 3> Primitives::vertices(const Run& run, std::uint32_t index) const {
+  const std::size_t i = run.begin + (index - run.first);
+  if (run.source == Source::kTriangles) return scene_.triangles[i].vertices;
+  const auto [a, b, c] = run.mesh->triangles[i].positions;
+  return {run.mesh->positions[a], run.mesh->positions[b], run.mesh->positions[c]};
+}
+
+gpu::Primitive Primitives::shape(std::uint32_t index) const {
+  const Run& run = runOf(index);
+  const std::size_t i = run.begin + (index - run.first);
+  if (run.source == Source::kSpheres) {
+    const Sphere& sphere = scene_.spheres[i];
+    const glm::vec3 radius(frame_.length(sphere.radius), 0.0F, 0.0F);
+    return {
+        frame_.position(sphere.center), gpu::kPrimitiveSphere, radius, sphere.object, glm::vec3(0.0F), index};
+  }
+  const std::array<glm::dvec3, 3> v = vertices(run, index);
+  const std::uint32_t object = run.mesh != nullptr ? run.object : scene_.triangles[i].object;
+  return {frame_.position(v[0]), gpu::kPrimitiveFlatTriangle,
+          frame_.position(v[1]), object,
+          frame_.position(v[2]), index};
+}
+
+Box Primitives::box(std::uint32_t index) const {
+  return boundingBox(shape(index));
+}
+
+gpu::TrianglePlane Primitives::plane(std::uint32_t index) const {
+  const Run& run = runOf(index);
+  if (run.source == Source::kSpheres) return {glm::vec3(0.0F), 0.0F};
+  const std::array<glm::dvec3, 3> v = vertices(run, index);
+  const glm::dvec3 normal = unitOrZero(glm::cross(unitOrZero(v[1] - v[0]), unitOrZero(v[2] - v[0])));
+  return {toFloat(normal), frame_.planeDistance(normal, v[0])};
+}
+
+bool Primitives::hasCornerNormals(std::uint32_t index) const {
+  const Run& run = runOf(index);
+  return run.mesh != nullptr && run.mesh->triangles[index - run.first].normals[0] != kNoNormal;
+}
+
+// Keeps the normals' relative lengths, since interpolation depends on them, but scales all three into the
+// range where float32 preserves their directions.
+std::array<gpu::CornerNormal, 3> Primitives::cornerNormals(std::uint32_t index) const {
+  const Run& run = runOf(index);
+  const std::array<std::uint32_t, 3>& normals = run.mesh->triangles[index - run.first].normals;
+  double largest = 0.0;
+  for (const std::uint32_t n : normals) largest = std::max(largest, largestComponent(run.mesh->normals[n]));
+  std::array<gpu::CornerNormal, 3> result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = {toFloat(largest > 0.0 ? run.mesh->normals[normals[i]] / largest : glm::dvec3(0.0)), 0};
+  }
+  return result;
+}
+
+std::size_t primitiveCount(const Scene& scene) {
+  std::size_t count = scene.spheres.size() + scene.triangles.size();
+  for (const MeshObject& mesh : scene.meshObjects) count += scene.meshes[mesh.mesh].triangles.size();
+  return count;
 }
 
 Box boundingBox(const gpu::Primitive& shape) {
@@ -170,21 +187,23 @@ Box boundingBox(const gpu::Primitive& shape) {
   return box;
 }
 
-std::size_t removeCoincident(Primitives& primitives) {
+std::vector<std::uint32_t> spheresFirst(const Primitives& primitives) {
+  std::vector<std::uint32_t> result(primitives.size());
+  std::iota(result.begin(), result.end(), 0U);
+  std::ranges::stable_partition(
+      result, [&](std::uint32_t i) { return primitives.shape(i).kind == gpu::kPrimitiveSphere; });
+  return result;
+}
+
+std::vector<std::uint32_t> withoutCoincident(const Primitives& primitives) {
   std::unordered_map<ShapeKey, int, ShapeKeyHash> seen;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < primitives.shapes.size(); ++i) {
-    const gpu::Primitive& shape = primitives.shapes[i];
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < primitives.size(); ++i) {
+    const gpu::Primitive shape = primitives.shape(i);
     const int allowed = shape.kind == gpu::kPrimitiveSphere ? 2 : 1;
-    if (seen[keyOf(shape)]++ >= allowed) continue;
-    primitives.shapes[kept] = shape;
-    if (!primitives.planes.empty()) primitives.planes[kept] = primitives.planes[i];
-    ++kept;
+    if (seen[keyOf(shape)]++ < allowed) kept.push_back(i);
   }
-  const std::size_t removed = primitives.shapes.size() - kept;
-  primitives.shapes.resize(kept);
-  if (!primitives.planes.empty()) primitives.planes.resize(kept);
-  return removed;
+  return kept;
 }
 
 }  // namespace lavaray

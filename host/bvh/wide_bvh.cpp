@@ -88,7 +88,7 @@ class Widener {
   WideBvh run() {
     result_.order.reserve(bvh_.order.size());
     result_.nodes.reserve(bvh_.order.size() / 2);
-    result_.nodes.emplace_back();
+    result_.nodes.push_back({});
     setBoxes(result_.nodes[0], bvh_.nodes[0].box, {&bvh_.nodes[0].box, 1});
     const gpu::uint root = add(0, 0);
     result_.nodes[0].children = glm::uvec4(gpu::kMissingChild);
@@ -110,7 +110,7 @@ class Widener {
                   "more than " +
                       std::to_string(gpu::kMaxNode) + " nodes");
     }
-    result_.nodes.emplace_back();
+    result_.nodes.push_back({});
     gpu::BvhNode wide{};
     wide.children = glm::uvec4(gpu::kMissingChild);
     const Children children = open(node);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "base/uninitialized_vector.hpp"
 #include "bvh/bvh.hpp"
 #include "interface.h"
 
@@ -12,9 +12,9 @@ namespace lavaray {
 // bound.
 struct WideBvh {
   // Depth first. Node 0 is above the root: its only child is the root, be that an inner node or a leaf.
-  std::vector<gpu::BvhNode> nodes;
-  std::vector<std::uint32_t> order;  // the primitives in the order of the leaves
-  std::uint32_t depth = 0;           // inner nodes on the longest path
+  UninitializedVector<gpu::BvhNode> nodes;
+  UninitializedVector<std::uint32_t> order;  // the primitives in the order of the leaves
+  std::uint32_t depth = 0;                   // inner nodes on the longest path
 };
 
 // Each node of the result replaces up to three of `bvh`. Throws Error(kInput) if there are more nodes than a

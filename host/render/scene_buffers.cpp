@@ -7,8 +7,8 @@
 namespace lavaray {
 namespace {
 
-template <typename Element>
-std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
+template <typename Elements>
+std::span<const std::byte> bytesOf(const Elements& elements) {
   return std::as_bytes(std::span(elements));
 }
 

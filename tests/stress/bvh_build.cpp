@@ -56,7 +56,8 @@ double fullSweepCost(std::vector<Box> boxes) {
 
 std::vector<Box> boxesOf(const Scene& scene) {
   std::vector<Box> boxes;
-  for (const gpu::Primitive& shape : collectPrimitives(scene).shapes) boxes.push_back(boundingBox(shape));
+  const Primitives primitives(scene);
+  for (std::uint32_t i = 0; i < primitives.size(); ++i) boxes.push_back(primitives.box(i));
   return boxes;
 }
 

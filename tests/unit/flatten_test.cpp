@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 #include <span>
+
+#include <glm/geometric.hpp>
 
 namespace lavaray {
 namespace {
@@ -92,8 +95,8 @@ TEST(Flatten, NumbersPrimitivesInTheOrderOfTheFile) {
   EXPECT_EQ(flat.trianglePlanes.size(), flat.primitives.size());
 }
 
-template <typename Element>
-bool sameBytes(const std::vector<Element>& a, const std::vector<Element>& b) {
+template <typename Elements>
+bool sameBytes(const Elements& a, const Elements& b) {
   return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
 }
 
@@ -135,6 +138,74 @@ TEST(Flatten, TakesUpAnotherShadingOfTheSameGeometry) {
   other = scene;
   other.spheres[1].object = 2;
   EXPECT_FALSE(sameGeometry(scene, other));
+}
+
+// A sphere, a mesh with normals at some of its triangles, a triangle, spheres, and the mesh once more.
+Scene sceneOfAllKinds() {
+  std::mt19937 random(7);
+  const auto uniform = [&] { return std::uniform_real_distribution(-10.0, 10.0)(random); };
+  const auto point = [&] { return glm::dvec3(uniform(), uniform(), uniform()); };
+  Scene scene = sceneWithMaterials(20004);
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 50000; ++i) {
+    const glm::dvec3 first = point();
+    mesh.positions.insert(mesh.positions.end(), {first, first + 0.01 * point(), first + 0.01 * point()});
+    mesh.normals.push_back(point());
+    mesh.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}});
+    if (i % 3 != 0) mesh.triangles.back().normals = {i, i / 2, i / 3};
+  }
+  scene.meshes = {mesh};
+  scene.meshObjects = {{0, 1}, {0, 20003}};
+  scene.triangles = {{{{{0, 0, -3}, {1, 0, -3}, {0, 1, -3}}}, 2}};
+  scene.spheres = {{point(), 0.5, 0}};
+  for (std::uint32_t object = 3; object < 20003; ++object) scene.spheres.push_back({point(), 0.01, object});
+  return scene;
+}
+
+TEST(Flatten, MakesTheSameArraysWhateverTheThreadCount) {
+  const Scene scene = sceneOfAllKinds();
+  const GpuScene one = flatten(scene, 1);
+  for (const unsigned threads : {2U, 3U, 16U}) {
+    const GpuScene other = flatten(scene, threads);
+    EXPECT_TRUE(sameBytes(one.nodes, other.nodes)) << threads;
+    EXPECT_TRUE(sameBytes(one.primitives, other.primitives)) << threads;
+    EXPECT_TRUE(sameBytes(one.trianglePlanes, other.trianglePlanes)) << threads;
+    EXPECT_TRUE(sameBytes(one.cornerNormals, other.cornerNormals)) << threads;
+    EXPECT_EQ(one.bvhQuality.sahCost, other.bvhQuality.sahCost) << threads;
+  }
+}
+
+TEST(Flatten, GivesEachTriangleItsOwnVerticesPlaneAndCornerNormals) {
+  const Scene scene = sceneOfAllKinds();
+  const Mesh& mesh = scene.meshes[0];
+  const GpuScene flat = flatten(scene, 2);
+  ASSERT_EQ(flat.primitives.size(), 120002U);
+  std::vector<int> users(flat.cornerNormals.size(), 0);
+  for (std::size_t place = 0; place < flat.primitives.size(); ++place) {
+    const gpu::Primitive& shape = flat.primitives[place];
+    if (shape.object != 1 && shape.object != 20003) {
+      EXPECT_EQ(shape.order, shape.object == 0 ? 0 : shape.object + 49999);
+      continue;
+    }
+    const std::uint32_t i = shape.order - (shape.object == 1 ? 1 : 70002);
+    ASSERT_LT(i, 50000U);
+    EXPECT_EQ(shape.a, glm::vec3(mesh.positions[3 * i]));
+    EXPECT_EQ(shape.c, glm::vec3(mesh.positions[3 * i + 2]));
+    const gpu::TrianglePlane& plane = flat.trianglePlanes[place];
+    EXPECT_NEAR(glm::dot(plane.normal, shape.b), plane.distance, 1e-5);
+    if (i % 3 == 0) {
+      EXPECT_EQ(shape.kind, gpu::kPrimitiveFlatTriangle);
+      continue;
+    }
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 normal = mesh.normals[i / (corner + 1)];
+      ++users.at(shape.kind + corner);
+      EXPECT_NEAR(glm::dot(glm::normalize(normal),
+                           glm::normalize(glm::dvec3(flat.cornerNormals[shape.kind + corner].normal))),
+                  1.0, 1e-6);
+    }
+  }
+  EXPECT_EQ(users, std::vector<int>(users.size(), 1));
 }
 
 TEST(Flatten, KeepsTheNormalOfASliverAndOfAHugeTriangle) {

@@ -114,9 +114,9 @@ PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, P
 }
 
 std::vector<Timing> measureBuilds(const Scene& scene, Peer* peer, const Options& options) {
-  const Primitives primitives = collectPrimitives(scene);
+  const Primitives primitives(scene);
   std::vector<Box> boxes;
-  for (const gpu::Primitive& shape : primitives.shapes) boxes.push_back(boundingBox(shape));
+  for (std::uint32_t i = 0; i < primitives.size(); ++i) boxes.push_back(primitives.box(i));
   std::vector<Contestant> contestants{
       {"lavaray hierarchy", [&] { buildBvh(boxes, options.threads); }},
       {"lavaray all arrays", [&] { flatten(scene, options.threads); }},
