@@ -11,6 +11,7 @@ namespace lavaray {
 // gcc and clang turn each operation on the four numbers into vector instructions on any processor that has
 // them, which they do not do reliably for loops over four floats.
 using Float4 [[gnu::vector_size(16)]] = float;
+using Int4 [[gnu::vector_size(16)]] = std::int32_t;
 
 inline Float4 min(Float4 a, Float4 b) {
   return b < a ? b : a;

@@ -18,29 +18,42 @@ struct SweepSplit {
   int middle = 0;  // first index of the right side
 };
 
+// Half the surface areas of three boxes that are not empty, each sum in the order of halfArea().
+Float4 halfAreas(const std::array<PaddedBox, 3>& boxes) {
+  const Float4 a = boxes[0].upper - boxes[0].lower;
+  const Float4 b = boxes[1].upper - boxes[1].lower;
+  const Float4 c = boxes[2].upper - boxes[2].lower;
+  const Float4 low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const Float4 high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Float4 x = __builtin_shufflevector(low, c, 0, 1, 4, 4);
+  const Float4 y = __builtin_shufflevector(low, c, 2, 3, 5, 5);
+  const Float4 z = __builtin_shufflevector(high, c, 0, 1, 6, 6);
+  return x * y + y * z + z * x;
+}
+
+// All three axes are swept at once, each in a vector's element of its own.
 class SweepBuilder {
  public:
   SweepBuilder(std::span<const Reference> references, const Range& range, Bvh& bvh)
       : references_(references), first_(range.first), nextNode_(range.node), bvh_(bvh) {
-    for (int axis = 0; axis < 3; ++axis) sort(axis);
+    sort();
   }
 
   // Builds the subtree of what is sorted to indices [begin, end); returns the index of its root.
   std::uint32_t build(int begin, int end, std::uint32_t depth) {
     const std::uint32_t index = nextNode_++;
     const auto count = static_cast<std::uint32_t>(end - begin);
-    SweepSplit best;
+    if (count == 1) {
+      makeLeaf(index, at(0, begin).box, begin, end);
+      return index;
+    }
     PaddedBox box;
-    // Two primitives can be split in one way only.
-    for (int axis = 0; axis < (count > 2 ? 3 : 1); ++axis) box = sweep(axis, begin, end, best);
-
+    SweepSplit best = count == 2 ? onlySplit(begin, box) : sweep(begin, end, box);
     const float area = halfArea(box);
     const float leafCost = static_cast<float>(count) * area;
     const bool anySplit = depthAllowsAnySplit(depth, count);
     if (count <= gpu::kMaxLeafSize && (!anySplit || area + best.cost >= leafCost)) {
-      const std::uint32_t first = first_ + static_cast<std::uint32_t>(begin);
-      for (int i = begin; i < end; ++i) bvh_.order[first_ + i] = at(0, i).primitive();
-      bvh_.nodes[index] = {box.unpadded(), count, first, 0, 0};
+      makeLeaf(index, box, begin, end);
     } else {
       // If no split gains anything, as among equal boxes, at least keep the tree shallow.
       if (!anySplit || best.cost >= leafCost) best.middle = (begin + end) / 2;
@@ -57,35 +70,58 @@ class SweepBuilder {
  private:
   [[nodiscard]] const Reference& at(int axis, int index) const { return references_[sorted_[axis][index]]; }
 
+  void makeLeaf(std::uint32_t index, const PaddedBox& box, int begin, int end) {
+    const std::uint32_t first = first_ + static_cast<std::uint32_t>(begin);
+    for (int i = begin; i < end; ++i) bvh_.order[first_ + i] = at(0, i).primitive();
+    bvh_.nodes[index] = {box.unpadded(), static_cast<std::uint32_t>(end - begin), first, 0, 0};
+  }
+
   // Puts each reference at the index that is the number of references before it. For so few, counting beats
   // comparing and swapping: no branch depends on the outcome of a comparison.
-  void sort(int axis) {
+  void sort() {
     const int count = static_cast<int>(references_.size());
-    std::array<float, kMaxSweepSize> keys;
-    for (int i = 0; i < count; ++i) keys[i] = references_[i].box.doubledCentroid(axis);
+    std::array<Float4, kMaxSweepSize> keys;
+    for (int i = 0; i < count; ++i) keys[i] = references_[i].box.doubledCentroid();
     for (int i = 0; i < count; ++i) {
-      int index = 0;
-      for (int j = 0; j < i; ++j) index += keys[j] <= keys[i] ? 1 : 0;
-      for (int j = i + 1; j < count; ++j) index += keys[j] < keys[i] ? 1 : 0;
-      sorted_[axis][index] = static_cast<std::uint8_t>(i);
+      Int4 index{};
+      for (int j = 0; j < i; ++j) index -= keys[j] <= keys[i];
+      for (int j = i + 1; j < count; ++j) index -= keys[j] < keys[i];
+      for (int axis = 0; axis < 3; ++axis) sorted_[axis][index[axis]] = static_cast<std::uint8_t>(i);
     }
   }
 
-  // Replaces `best` with the axis's best split if that costs less. Returns the box of all references.
-  PaddedBox sweep(int axis, int begin, int end, SweepSplit& best) const {
-    std::array<float, kMaxSweepSize> rightCost;
-    PaddedBox right = emptyBox();
+  // Of two primitives. `box` becomes that of both.
+  SweepSplit onlySplit(int begin, PaddedBox& box) const {
+    const PaddedBox& left = at(0, begin).box;
+    const PaddedBox& right = at(0, begin + 1).box;
+    box = left;
+    box.extend(right);
+    return {halfArea(left) + halfArea(right), 0, begin + 1};
+  }
+
+  // The split that costs least. `box` becomes that of all references.
+  SweepSplit sweep(int begin, int end, PaddedBox& box) const {
+    std::array<Float4, kMaxSweepSize> rightCosts;
+    std::array<PaddedBox, 3> boxes{emptyBox(), emptyBox(), emptyBox()};
     for (int i = end - 1; i > begin; --i) {
-      right.extend(at(axis, i).box);
-      rightCost[i] = halfArea(right) * static_cast<float>(end - i);
+      for (int axis = 0; axis < 3; ++axis) boxes[axis].extend(at(axis, i).box);
+      rightCosts[i] = halfAreas(boxes) * static_cast<float>(end - i);
     }
-    PaddedBox left = at(axis, begin).box;
+    for (int axis = 0; axis < 3; ++axis) boxes[axis] = at(axis, begin).box;
+    Float4 leastCosts{kInfinity, kInfinity, kInfinity, kInfinity};
+    Int4 middles{};
     for (int i = begin + 1; i < end; ++i) {
-      const float cost = halfArea(left) * static_cast<float>(i - begin) + rightCost[i];
-      if (cost < best.cost) best = {cost, axis, i};
-      left.extend(at(axis, i).box);
+      const Float4 costs = halfAreas(boxes) * static_cast<float>(i - begin) + rightCosts[i];
+      middles = costs < leastCosts ? Int4{i, i, i, i} : middles;
+      leastCosts = costs < leastCosts ? costs : leastCosts;
+      for (int axis = 0; axis < 3; ++axis) boxes[axis].extend(at(axis, i).box);
     }
-    return left;
+    SweepSplit best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (leastCosts[axis] < best.cost) best = {leastCosts[axis], axis, middles[axis]};
+    }
+    box = boxes[2];
+    return best;
   }
 
   // On the split's axis both sides are in place already. On the others this moves them there, each side
