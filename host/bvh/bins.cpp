@@ -15,14 +15,14 @@ int binsFor(std::uint32_t primitives) {
 
 }  // namespace
 
-BinMapping::BinMapping(const Range& range) : bins(binsFor(range.count)) {
+BinMapping::BinMapping(const Range& range)
+    : bins(binsFor(range.count)), lower(range.bounds.centroids.lower), scale{} {
   // Just short of the last bin's end, so that the largest centroid lands in the last bin however it is
   // rounded.
   const float end = static_cast<float>(bins) * (1.0F - 0x1p-20F);
   const PaddedBox& centroids = range.bounds.centroids;
   for (int axis = 0; axis < 3; ++axis) {
     const float quotient = end / (centroids.upper[axis] - centroids.lower[axis]);
-    lower[axis] = centroids.lower[axis];
     scale[axis] = std::isfinite(quotient) ? quotient : 0.0F;
   }
 }
@@ -36,10 +36,11 @@ Bins::Bins(int binsPerAxis) : size(binsPerAxis) {
 
 void Bins::add(std::span<const Reference> references, const BinMapping& mapping) {
   for (const Reference& reference : references) {
+    const PaddedBox box = reference.box;
+    const Int4 bin = mapping.bin(box);
     for (int axis = 0; axis < 3; ++axis) {
-      const int bin = mapping.bin(reference, axis);
-      boxes[axis][bin].extend(reference.box);
-      ++counts[axis][bin];
+      boxes[axis][bin[axis]].extend(box);
+      ++counts[axis][bin[axis]];
     }
   }
 }

@@ -13,17 +13,21 @@ namespace lavaray {
 
 constexpr int kMaxBins = 32;
 
-// Maps a reference's doubled centroid to one of `bins` bins, which divide the extent of a range's centroids
+// Maps a box's doubled centroid to one of `bins` bins, which divide the extent of a range's centroids
 // evenly along each axis. An axis with no extent, or one too small to divide by, has scale 0.
 struct BinMapping {
   int bins;
-  float lower[3];
-  float scale[3];
+  Float4 lower;
+  Float4 scale;
 
   explicit BinMapping(const Range& range);
   [[nodiscard]] bool canSplit(int axis) const { return scale[axis] > 0.0F; }
-  [[nodiscard]] int bin(const Reference& reference, int axis) const {
-    return static_cast<int>((reference.box.doubledCentroid(axis) - lower[axis]) * scale[axis]);
+  [[nodiscard]] int bin(const PaddedBox& box, int axis) const {
+    return static_cast<int>((box.doubledCentroid(axis) - lower[axis]) * scale[axis]);
+  }
+  // On the three axes; the fourth number is 0.
+  [[nodiscard]] Int4 bin(const PaddedBox& box) const {
+    return __builtin_convertvector((box.doubledCentroid() - lower) * scale, Int4);
   }
 };
 

@@ -157,7 +157,7 @@ class Builder {
     const std::span<Reference> all = references(range.first, range.count);
     std::uint32_t leftCount = 0;
     for (Reference& reference : all) {
-      const bool isLeft = mapping.bin(reference, split.axis) <= split.lastLeftBin;
+      const bool isLeft = mapping.bin(reference.box, split.axis) <= split.lastLeftBin;
       std::swap(reference, all[leftCount]);
       leftCount += isLeft ? 1 : 0;
     }
