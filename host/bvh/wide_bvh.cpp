@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <span>
@@ -13,26 +14,50 @@ namespace lavaray {
 namespace {
 
 constexpr int kWidth = static_cast<int>(gpu::kNodeWidth);
-constexpr double kMaxBound = 255.0;
+constexpr int kMaxBound = 255;
 constexpr int kExponentBias = 127;
 constexpr int kMinExponent = -126;
 
-// Quantised coordinates on one axis: bound b lies at origin + b unit.
+// 2^exponent, which is a normal number.
+double powerOfTwo(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+}
+
+// Of a finite x > 0: floor(log2(x)), or kMinExponent - 1 if x is denormal.
+int exponentOf(float x) {
+  return static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23U) - kExponentBias;
+}
+
+// Quantised coordinates on one axis: bound b lies at origin + b unit. Conversions to an integer round towards
+// 0, which is down here, and take a few instructions, where std::floor is a call on an old instruction set.
 struct Grid {
   double origin;
   double unit;  // 2^exponent
   int exponent;
 
-  // The last bound that is not above x, and the first that is not below. The bounds' positions are exact, but
-  // finding their numbers takes a difference that is rounded if x is tiny beside the origin.
-  [[nodiscard]] double boundBelow(double x) const {
-    const double bound = std::floor((x - origin) / unit);
-    return origin + bound * unit > x ? bound - 1.0 : bound;
+  Grid(float lower, int unitExponent) : origin(0.0), unit(powerOfTwo(unitExponent)), exponent(unitExponent) {
+    const double units = double{lower} * powerOfTwo(-exponent);
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(units));
+    origin = (whole > units ? whole - 1.0 : whole) * unit;
   }
-  [[nodiscard]] double boundAbove(double x) const {
-    const double bound = std::ceil((x - origin) / unit);
-    return origin + bound * unit < x ? bound + 1.0 : bound;
+
+  // The last bound that is not above x, and the first that is not below; x is not below the origin. The
+  // bounds' positions are exact, but finding their numbers takes a difference that is rounded if x is tiny
+  // beside the origin.
+  [[nodiscard]] int boundBelow(double x) const {
+    const auto bound = static_cast<int>(units(x));
+    return position(bound) > x ? bound - 1 : bound;
   }
+  [[nodiscard]] int boundAbove(double x) const {
+    const double exact = units(x);
+    auto bound = static_cast<int>(exact);
+    if (bound < exact) ++bound;
+    return position(bound) < x ? bound + 1 : bound;
+  }
+
+ private:
+  [[nodiscard]] double units(double x) const { return (x - origin) * powerOfTwo(-exponent); }
+  [[nodiscard]] double position(int bound) const { return origin + bound * unit; }
 };
 
 // The finest grid that has lower and upper between bounds 0 and 255 and whose every bound is exact in
@@ -41,11 +66,10 @@ Grid gridFor(float lower, float upper) {
   const float magnitude = std::max(std::abs(lower), std::abs(upper));
   const float step = (upper - lower) / static_cast<float>(kMaxBound);
   int exponent = kMinExponent;
-  if (step > 0.0F) exponent = std::max(exponent, std::ilogb(step));
-  if (magnitude > 0.0F) exponent = std::max(exponent, std::ilogb(magnitude) - 22);
+  if (step > 0.0F) exponent = std::max(exponent, exponentOf(step));
+  if (magnitude > 0.0F) exponent = std::max(exponent, exponentOf(magnitude) - 22);
   for (;; ++exponent) {
-    const double unit = std::ldexp(1.0, exponent);
-    const Grid grid{std::floor(double{lower} / unit) * unit, unit, exponent};
+    const Grid grid(lower, exponent);
     if (grid.boundAbove(double{upper}) <= kMaxBound) return grid;
   }
 }
@@ -61,8 +85,8 @@ void setBoxes(gpu::BvhNode& node, const Box& own, std::span<const Box> children)
     node.origin[axis] = static_cast<float>(grid.origin);
     node.exponents |= static_cast<gpu::uint>(grid.exponent + kExponentBias) << (8 * axis);
     for (int i = 0; i < kWidth; ++i) {
-      double lower = kMaxBound;
-      double upper = 0.0;
+      int lower = kMaxBound;
+      int upper = 0;
       if (static_cast<std::size_t>(i) < children.size()) {
         lower = grid.boundBelow(double{children[i].lower[axis]});
         upper = grid.boundAbove(double{children[i].upper[axis]});
