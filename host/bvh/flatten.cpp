@@ -1,6 +1,8 @@
 #include "bvh/flatten.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <future>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -87,8 +89,13 @@ WideBvh buildHierarchy(const Primitives& primitives, unsigned threads, GpuScene&
     result.droppedDuplicates = primitives.size() - kept.size();
     if (result.droppedDuplicates > 0) bvh = buildOver(primitives, kept, threads);
   }
-  result.bvhQuality = measure(bvh);
-  return widen(bvh);
+  // Adds up what rounds, so that one thread does it; the others widen meanwhile.
+  const bool beside = threads > 1 && !result.hasFewPrimitives;
+  std::future<BvhQuality> quality = std::async(
+      beside ? std::launch::async | std::launch::deferred : std::launch::deferred, measure, std::cref(bvh));
+  WideBvh wide = widen(bvh, threads);
+  result.bvhQuality = quality.get();
+  return wide;
 }
 
 void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/parallel.hpp"
 
 namespace lavaray {
 namespace {
@@ -17,6 +18,8 @@ constexpr int kWidth = static_cast<int>(gpu::kNodeWidth);
 constexpr int kMaxBound = 255;
 constexpr int kExponentBias = 127;
 constexpr int kMinExponent = -126;
+// Nodes below this many others are widened subtree by subtree: up to 4^5 of them, enough for many threads.
+constexpr std::uint32_t kTopDepth = 5;
 
 // 2^exponent, which is a normal number.
 double powerOfTwo(int exponent) {
@@ -105,18 +108,31 @@ struct Children {
   void add(std::uint32_t node) { nodes[count++] = node; }
 };
 
+// A subtree that is widened apart from the nodes above it: the roots of its binary and of its wide form.
+struct Subtree {
+  std::uint32_t root;
+  std::uint32_t wideRoot;
+};
+
 class Widener {
  public:
   explicit Widener(const Bvh& bvh) : bvh_(bvh) {}
 
-  WideBvh run() {
-    result_.order.reserve(bvh_.order.size());
-    result_.nodes.reserve(bvh_.order.size() / 2);
+  // The nodes down to kTopDepth. What is below is left to do: `subtrees`, whose roots have their places
+  // already.
+  WideBvh top(std::vector<Subtree>& subtrees) {
+    subtrees_ = &subtrees;
     result_.nodes.push_back({});
     setBoxes(result_.nodes[0], bvh_.nodes[0].box, {&bvh_.nodes[0].box, 1});
     const gpu::uint root = add(0, 0);
     result_.nodes[0].children = glm::uvec4(gpu::kMissingChild);
     result_.nodes[0].children.x = root;
+    return std::move(result_);
+  }
+
+  // Node 0 is the subtree's root.
+  WideBvh below(const Subtree& subtree) {
+    add(subtree.root, kTopDepth);
     return std::move(result_);
   }
 
@@ -128,13 +144,11 @@ class Widener {
     assert(depth < gpu::kMaxBvhDepth);
     result_.depth = std::max(result_.depth, depth + 1);
     const auto reference = static_cast<gpu::uint>(result_.nodes.size());
-    if (reference > gpu::kMaxNode) {
-      throw Error(ExitCode::kInput,
-                  "the scene has too many spheres and triangles: their hierarchy would have "
-                  "more than " +
-                      std::to_string(gpu::kMaxNode) + " nodes");
-    }
     result_.nodes.push_back({});
+    if (subtrees_ != nullptr && depth == kTopDepth) {
+      subtrees_->push_back({index, reference});
+      return reference;
+    }
     gpu::BvhNode wide{};
     wide.children = glm::uvec4(gpu::kMissingChild);
     const Children children = open(node);
@@ -197,12 +211,66 @@ class Widener {
 
   const Bvh& bvh_;
   WideBvh result_;
+  std::vector<Subtree>* subtrees_ = nullptr;
 };
+
+// Where a widened subtree goes: its root to a node of its own, all others and the primitives in one row each.
+struct Place {
+  std::uint32_t root;
+  std::uint32_t nodes;
+  std::uint32_t primitives;
+};
+
+void insert(const WideBvh& subtree, const Place& place, WideBvh& result) {
+  for (std::uint32_t i = 0; i < subtree.nodes.size(); ++i) {
+    gpu::BvhNode node = subtree.nodes[i];
+    for (int child = 0; child < kWidth; ++child) {
+      gpu::uint& reference = node.children[child];
+      // No child is the subtree's root, so 0 is one that is missing.
+      if (reference > gpu::kMaxReference) {
+        reference += place.primitives;
+      } else if (reference > 0) {
+        reference += place.nodes - 1;
+      }
+    }
+    result.nodes[i == 0 ? place.root : place.nodes + i - 1] = node;
+  }
+  std::ranges::copy(subtree.order, result.order.begin() + place.primitives);
+}
 
 }  // namespace
 
-WideBvh widen(const Bvh& bvh) {
-  return Widener(bvh).run();
+WideBvh widen(const Bvh& bvh, unsigned threads) {
+  // Starting threads takes longer than widening so few.
+  constexpr std::size_t kMaxForOneThread = 8192;
+  if (bvh.order.size() <= kMaxForOneThread) threads = 1;
+  std::vector<Subtree> subtrees;
+  WideBvh result = Widener(bvh).top(subtrees);
+  std::vector<WideBvh> parts(subtrees.size());
+  parallelFor(parts.size(), threads, [&](std::size_t i) { parts[i] = Widener(bvh).below(subtrees[i]); });
+
+  std::size_t nodes = result.nodes.size();
+  std::size_t primitives = result.order.size();
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    places.push_back(
+        {subtrees[i].wideRoot, static_cast<std::uint32_t>(nodes), static_cast<std::uint32_t>(primitives)});
+    nodes += parts[i].nodes.size() - 1;
+    primitives += parts[i].order.size();
+    result.depth = std::max(result.depth, parts[i].depth);
+  }
+  if (nodes - 1 > gpu::kMaxNode) {
+    throw Error(ExitCode::kInput,
+                "the scene has too many spheres and triangles: their hierarchy would have more than " +
+                    std::to_string(gpu::kMaxNode) + " nodes");
+  }
+  result.nodes.resize(nodes);
+  result.order.resize(primitives);
+  parallelFor(parts.size(), threads, [&](std::size_t i) {
+    insert(parts[i], places[i], result);
+    parts[i] = {};
+  });
+  return result;
 }
 
 Box childBox(const gpu::BvhNode& node, int child) {

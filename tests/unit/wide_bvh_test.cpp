@@ -88,7 +88,7 @@ TEST(WideBvh, ContainsWhatItBoundsAtAnyScaleAndPlace) {
     for (const float center : {0.0F, 10.0F, 1e5F}) {
       for (const float size : {0.0F, 0.01F, 0.5F}) {
         const std::vector<Box> boxes = randomBoxes(500, center * scale, scale, size * scale, 1);
-        const WideBvh wide = widen(buildBvh(boxes, 1));
+        const WideBvh wide = widen(buildBvh(boxes, 1), 1);
         Walker(wide, boxes).run();
       }
     }
@@ -109,7 +109,7 @@ TEST(WideBvh, ContainsDegenerateBoxes) {
     far.extend(glm::vec3(std::nextafter(2e15F, 0.0F), 2e15F - 1e9F * x, 0.0F));
     boxes.push_back(far);
   }
-  Walker(widen(buildBvh(boxes, 1)), boxes).run();
+  Walker(widen(buildBvh(boxes, 1), 1), boxes).run();
 }
 
 // A sphere that touches a coordinate plane reaches a denormal number past it, which is lost in a difference
@@ -123,7 +123,7 @@ TEST(WideBvh, ContainsBoxesThatEndJustPastZero) {
         boxes.push_back({glm::vec3(-side, -near, -side), glm::vec3(near, side, -near)});
         boxes.push_back({glm::vec3(-near, -side, near), glm::vec3(side, near, side)});
       }
-      const WideBvh wide = widen(buildBvh(boxes, 1));
+      const WideBvh wide = widen(buildBvh(boxes, 1), 1);
       Walker(wide, boxes).run();
     }
   }
@@ -131,7 +131,7 @@ TEST(WideBvh, ContainsBoxesThatEndJustPastZero) {
 
 TEST(WideBvh, IsNotMuchWiderThanItsContent) {
   const std::vector<Box> boxes = randomBoxes(20000, 0.0F, 1.0F, 0.01F, 2);
-  const WideBvh wide = widen(buildBvh(boxes, 2));
+  const WideBvh wide = widen(buildBvh(boxes, 2), 2);
   Walker walker(wide, boxes);
   walker.run();
   EXPECT_LT(walker.growth(), 1.05);
