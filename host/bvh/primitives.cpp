@@ -8,6 +8,8 @@
 #include <string>
 #include <unordered_map>
 
+#include <glm/common.hpp>
+
 #include "base/errors.hpp"
 #include "base/text_location.hpp"
 #include "base/vector_math.hpp"
@@ -134,8 +136,13 @@ gpu::Primitive Primitives::shape(std::uint32_t index) const {
           frame_.position(v[2]), index};
 }
 
+// Of a triangle: rounding keeps the order of coordinates, so it may come after finding the least and the
+// largest.
 Box Primitives::box(std::uint32_t index) const {
-  return boundingBox(shape(index));
+  const Run& run = runOf(index);
+  if (run.source == Source::kSpheres) return boundingBox(shape(index));
+  const auto [a, b, c] = vertices(run, index);
+  return {frame_.position(glm::min(glm::min(a, b), c)), frame_.position(glm::max(glm::max(a, b), c))};
 }
 
 gpu::TrianglePlane Primitives::plane(std::uint32_t index) const {
