@@ -71,9 +71,10 @@ void fillPrimitives(const Primitives& primitives, std::span<const std::uint32_t>
         std::ranges::copy(primitives.cornerNormals(i), &result.cornerNormals[cornerNormal]);
         cornerNormal += 3;
       }
-      result.primitives[place] = shape;
-      if (!result.trianglePlanes.empty()) result.trianglePlanes[place] = primitives.plane(i);
-      ++place;
+      result.primitives[place++] = shape;
+    }
+    if (!result.trianglePlanes.empty()) {
+      primitives.planes(chunk(c), std::span(result.trianglePlanes).subspan(c * kChunkSize, chunk(c).size()));
     }
   });
 }

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "base/errors.hpp"
 #include "base/text_location.hpp"
@@ -145,12 +146,33 @@ Box Primitives::box(std::uint32_t index) const {
   return {frame_.position(glm::min(glm::min(a, b), c)), frame_.position(glm::max(glm::max(a, b), c))};
 }
 
-gpu::TrianglePlane Primitives::plane(std::uint32_t index) const {
-  const Run& run = runOf(index);
-  if (run.source == Source::kSpheres) return {glm::vec3(0.0F), 0.0F};
-  const std::array<glm::dvec3, 3> v = vertices(run, index);
-  const glm::dvec3 normal = unitOrZero(glm::cross(unitOrZero(v[1] - v[0]), unitOrZero(v[2] - v[0])));
-  return {toFloat(normal), frame_.planeDistance(normal, v[0])};
+// Step by step, each for a block of triangles: the divisions and square roots of one wait for one another,
+// those of several do not.
+void Primitives::planes(std::span<const std::uint32_t> indices, std::span<gpu::TrianglePlane> result) const {
+  constexpr std::size_t kBlockSize = 64;
+  struct Corner {
+    glm::dvec3 position{0.0};
+    std::array<glm::dvec3, 2> edges{};
+  };
+  std::array<Corner, kBlockSize> corners;
+  for (std::size_t begin = 0; begin < indices.size(); begin += kBlockSize) {
+    const std::size_t count = std::min(kBlockSize, indices.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Run& run = runOf(indices[begin + i]);
+      corners[i] = {};
+      if (run.source == Source::kSpheres) continue;
+      const std::array<glm::dvec3, 3> v = vertices(run, indices[begin + i]);
+      corners[i] = {v[0], {v[1] - v[0], v[2] - v[0]}};
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (glm::dvec3& edge : corners[i].edges) edge = unitOrZero(edge);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [position, edges] = corners[i];
+      const glm::dvec3 normal = unitOrZero(glm::cross(edges[0], edges[1]));
+      result[begin + i] = {toFloat(normal), frame_.planeDistance(normal, position)};
+    }
+  }
 }
 
 bool Primitives::hasCornerNormals(std::uint32_t index) const {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bvh/box.hpp"
@@ -27,7 +28,8 @@ class Primitives {
   [[nodiscard]] gpu::Primitive shape(
       std::uint32_t index) const;  // a triangle: as if it had no corner normals
   [[nodiscard]] Box box(std::uint32_t index) const;
-  [[nodiscard]] gpu::TrianglePlane plane(std::uint32_t index) const;  // zeros for a sphere
+  // As many planes as indices; zeros for a sphere.
+  void planes(std::span<const std::uint32_t> indices, std::span<gpu::TrianglePlane> result) const;
   [[nodiscard]] bool hasCornerNormals(std::uint32_t index) const;
   [[nodiscard]] std::array<gpu::CornerNormal, 3> cornerNormals(std::uint32_t index) const;
 
