@@ -118,6 +118,14 @@ class Builder {
       children[2 * r] = left;
       children[2 * r + 1] = right;
     });
+    const std::vector<Chunk> childChunks = chunksOf(children);
+    std::vector<PaddedBox> centroids(childChunks.size());
+    parallelFor(childChunks.size(), threads_, [&](std::size_t c) {
+      centroids[c] = centroidsOf(childChunks[c].first, childChunks[c].count);
+    });
+    for (std::size_t c = 0; c < childChunks.size(); ++c) {
+      children[childChunks[c].range].bounds.centroids.extend(centroids[c]);
+    }
     return children;
   }
 
@@ -128,6 +136,8 @@ class Builder {
     Bins bins(mapping.bins);
     bins.add(references(range.first, range.count), mapping);
     auto [left, right] = split(range, mapping, bins);
+    left.bounds.centroids = centroidsOf(left.first, left.count);
+    right.bounds.centroids = centroidsOf(right.first, right.count);
     right.node = buildSubtree(left);  // leaves no gap after the left subtree, whose size is known now
     makeInnerNode(range, left.node, right.node);
     return buildSubtree(right);
@@ -145,6 +155,15 @@ class Builder {
     bvh_.nodes[range.node] = {range.bounds.box.unpadded(), 0, 0, left, right};
   }
 
+  PaddedBox centroidsOf(std::uint32_t first, std::uint32_t count) {
+    PaddedBox centroids = emptyBox();
+    for (const Reference& reference : references(first, count)) {
+      centroids.extend(reference.box.doubledCentroid());
+    }
+    return centroids;
+  }
+
+  // Both parts, without the bounds of their centroids.
   std::array<Range, 2> split(const Range& range, const BinMapping& mapping, const Bins& bins) {
     const std::optional<BinSplit> best = bestSplit(bins, mapping);
     if (best && depthAllowsAnySplit(range.depth, range.count)) return splitAtBin(range, mapping, bins, *best);
@@ -164,13 +183,6 @@ class Builder {
     std::array<Range, 2> children = childrenOf(range, leftCount);
     children[0].bounds.box = bins.boxOf(split.axis, 0, split.lastLeftBin);
     children[1].bounds.box = bins.boxOf(split.axis, split.lastLeftBin + 1, bins.size - 1);
-    for (Range& child : children) {
-      PaddedBox centroids = emptyBox();
-      for (const Reference& reference : references(child.first, child.count)) {
-        centroids.extend(reference.box.doubledCentroid());
-      }
-      child.bounds.centroids = centroids;
-    }
     return children;
   }
 
@@ -181,7 +193,9 @@ class Builder {
     std::nth_element(all.begin(), all.begin() + range.count / 2, all.end(), order);
     std::array<Range, 2> children = childrenOf(range, range.count / 2);
     for (Range& child : children) {
-      for (const Reference& reference : references(child.first, child.count)) child.bounds.extend(reference);
+      for (const Reference& reference : references(child.first, child.count)) {
+        child.bounds.box.extend(reference.box);
+      }
     }
     return children;
   }
