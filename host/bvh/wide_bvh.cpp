@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
+#include "bvh/primitive_reference.hpp"
 
 namespace lavaray {
 namespace {
@@ -22,8 +23,8 @@ constexpr int kMinExponent = -126;
 constexpr std::uint32_t kTopDepth = 5;
 
 // 2^exponent, which is a normal number.
-double powerOfTwo(int exponent) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+float powerOfTwo(int exponent) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + kExponentBias) << 23U);
 }
 
 // Of a finite x > 0: floor(log2(x)), or kMinExponent - 1 if x is denormal.
@@ -31,36 +32,38 @@ int exponentOf(float x) {
   return static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23U) - kExponentBias;
 }
 
-// Quantised coordinates on one axis: bound b lies at origin + b unit. Conversions to an integer round towards
-// 0, which is down here, and take a few instructions, where std::floor is a call on an old instruction set.
+// Quantised coordinates on one axis: bound b lies at origin + b unit, which is exact. Finding b takes a
+// difference that is rounded, so that it may be one too many; but never too few, since rounding keeps the
+// order. Conversions to integers round towards 0, which is down here.
 struct Grid {
-  double origin;
-  double unit;  // 2^exponent
+  float origin;
+  float unit;  // 2^exponent
   int exponent;
 
-  Grid(float lower, int unitExponent) : origin(0.0), unit(powerOfTwo(unitExponent)), exponent(unitExponent) {
-    const double units = double{lower} * powerOfTwo(-exponent);
+  // In double precision, where a denormal number divided by the unit does not vanish.
+  Grid(float lower, int unitExponent) : origin(0.0F), unit(powerOfTwo(unitExponent)), exponent(unitExponent) {
+    const double units = double{lower} / double{unit};
     const auto whole = static_cast<double>(static_cast<std::int64_t>(units));
-    origin = (whole > units ? whole - 1.0 : whole) * unit;
+    origin = static_cast<float>((whole > units ? whole - 1.0 : whole) * double{unit});
   }
 
-  // The last bound that is not above x, and the first that is not below; x is not below the origin. The
-  // bounds' positions are exact, but finding their numbers takes a difference that is rounded if x is tiny
-  // beside the origin.
-  [[nodiscard]] int boundBelow(double x) const {
-    const auto bound = static_cast<int>(units(x));
-    return position(bound) > x ? bound - 1 : bound;
+  // The last bounds that are not above x, and the first that are not below; x is not below the origin.
+  [[nodiscard]] Int4 boundsBelow(Float4 x) const {
+    const Int4 bounds = __builtin_convertvector(units(x), Int4);
+    return bounds + (positions(bounds) > x);  // true is -1
   }
-  [[nodiscard]] int boundAbove(double x) const {
-    const double exact = units(x);
-    auto bound = static_cast<int>(exact);
-    if (bound < exact) ++bound;
-    return position(bound) < x ? bound + 1 : bound;
+  [[nodiscard]] Int4 boundsAbove(Float4 x) const {
+    const Float4 exact = units(x);
+    const Int4 whole = __builtin_convertvector(exact, Int4);
+    const Int4 bounds = whole - (__builtin_convertvector(whole, Float4) < exact);
+    return bounds - (positions(bounds) < x);
   }
 
  private:
-  [[nodiscard]] double units(double x) const { return (x - origin) * powerOfTwo(-exponent); }
-  [[nodiscard]] double position(int bound) const { return origin + bound * unit; }
+  [[nodiscard]] Float4 units(Float4 x) const { return (x - origin) * powerOfTwo(-exponent); }
+  [[nodiscard]] Float4 positions(Int4 bounds) const {
+    return origin + __builtin_convertvector(bounds, Float4) * unit;
+  }
 };
 
 // The finest grid that has lower and upper between bounds 0 and 255 and whose every bound is exact in
@@ -73,30 +76,34 @@ Grid gridFor(float lower, float upper) {
   if (magnitude > 0.0F) exponent = std::max(exponent, exponentOf(magnitude) - 22);
   for (;; ++exponent) {
     const Grid grid(lower, exponent);
-    if (grid.boundAbove(double{upper}) <= kMaxBound) return grid;
+    if (grid.boundsAbove(Float4{upper, upper, upper, upper})[0] <= kMaxBound) return grid;
   }
+}
+
+// One byte for each of the four, the first in the lowest.
+gpu::uint pack(Int4 bounds) {
+  return static_cast<gpu::uint>(bounds[0] | bounds[1] << 8 | bounds[2] << 16) |
+         static_cast<gpu::uint>(bounds[3]) << 24U;
 }
 
 // Quantises the children's boxes in the grid of the node's own box, rounded outwards. A missing child has its
 // bounds the wrong way round, so that no single ray enters it.
 void setBoxes(gpu::BvhNode& node, const Box& own, std::span<const Box> children) {
-  node.lower = glm::uvec3(0);
-  node.upper = glm::uvec3(0);
+  std::array<Box, kWidth> boxes;
+  boxes.fill(own);
+  std::ranges::copy(children, boxes.begin());
+  const gpu::uint present = ~0U >> (8U * (gpu::kNodeWidth - static_cast<gpu::uint>(children.size())));
   node.exponents = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const Grid grid = gridFor(own.lower[axis], own.upper[axis]);
-    node.origin[axis] = static_cast<float>(grid.origin);
+    node.origin[axis] = grid.origin;
     node.exponents |= static_cast<gpu::uint>(grid.exponent + kExponentBias) << (8 * axis);
-    for (int i = 0; i < kWidth; ++i) {
-      int lower = kMaxBound;
-      int upper = 0;
-      if (static_cast<std::size_t>(i) < children.size()) {
-        lower = grid.boundBelow(double{children[i].lower[axis]});
-        upper = grid.boundAbove(double{children[i].upper[axis]});
-      }
-      node.lower[axis] |= static_cast<gpu::uint>(lower) << (8 * i);
-      node.upper[axis] |= static_cast<gpu::uint>(upper) << (8 * i);
-    }
+    const Float4 lower{boxes[0].lower[axis], boxes[1].lower[axis], boxes[2].lower[axis],
+                       boxes[3].lower[axis]};
+    const Float4 upper{boxes[0].upper[axis], boxes[1].upper[axis], boxes[2].upper[axis],
+                       boxes[3].upper[axis]};
+    node.lower[axis] = pack(grid.boundsBelow(lower)) | ~present;
+    node.upper[axis] = pack(grid.boundsAbove(upper)) & present;
   }
 }
 
