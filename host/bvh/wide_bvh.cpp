@@ -228,17 +228,18 @@ struct Place {
   std::uint32_t primitives;
 };
 
+// By its box, which ends before it begins.
+bool isMissing(const gpu::BvhNode& node, int child) {
+  return (node.lower.x >> (8 * child) & 255U) > (node.upper.x >> (8 * child) & 255U);
+}
+
 void insert(const WideBvh& subtree, const Place& place, WideBvh& result) {
   for (std::uint32_t i = 0; i < subtree.nodes.size(); ++i) {
     gpu::BvhNode node = subtree.nodes[i];
     for (int child = 0; child < kWidth; ++child) {
+      if (isMissing(node, child)) continue;
       gpu::uint& reference = node.children[child];
-      // No child is the subtree's root, so 0 is one that is missing.
-      if (reference > gpu::kMaxReference) {
-        reference += place.primitives;
-      } else if (reference > 0) {
-        reference += place.nodes - 1;
-      }
+      reference += reference > gpu::kMaxReference ? place.primitives : place.nodes - 1;
     }
     result.nodes[i == 0 ? place.root : place.nodes + i - 1] = node;
   }

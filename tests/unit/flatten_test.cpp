@@ -13,6 +13,8 @@
 namespace lavaray {
 namespace {
 
+const glm::uvec3 kMissing(gpu::kMissingChild);
+
 Scene sceneWithMaterials(std::size_t count) {
   Scene scene;
   scene.materials.resize(count);
@@ -31,7 +33,7 @@ TEST(Flatten, PutsALeafBelowTheFirstNodeForASinglePrimitive) {
   scene.spheres.push_back({{0, 0, -5}, 1.0, 0});
   const GpuScene flat = flatten(scene, 1);
   ASSERT_EQ(flat.nodes.size(), 1U);
-  EXPECT_EQ(flat.nodes[0].children, glm::uvec4(1U << gpu::kLeafShift, 0, 0, 0));
+  EXPECT_EQ(flat.nodes[0].children, glm::uvec4(1U << gpu::kLeafShift, kMissing));
   EXPECT_EQ(flat.bvhDepth, 0U);
   EXPECT_TRUE(flat.trianglePlanes.empty());
 }
@@ -46,7 +48,7 @@ TEST(Flatten, MakesOneLeafOfFewPrimitivesWithTheSpheresFirst) {
   GpuScene flat = flatten(scene, 1);
   EXPECT_TRUE(flat.hasFewPrimitives);
   ASSERT_EQ(flat.nodes.size(), 1U);
-  EXPECT_EQ(flat.nodes[0].children, glm::uvec4(4U << gpu::kLeafShift, 0, 0, 0));
+  EXPECT_EQ(flat.nodes[0].children, glm::uvec4(4U << gpu::kLeafShift, kMissing));
   std::vector<std::uint32_t> orders;
   for (const gpu::Primitive& primitive : flat.primitives) orders.push_back(primitive.order);
   EXPECT_EQ(orders, (std::vector<std::uint32_t>{1, 3, 0, 2}));
