@@ -62,19 +62,18 @@ void fillPrimitives(const Primitives& primitives, std::span<const std::uint32_t>
   if (primitives.hasTriangles()) result.trianglePlanes.resize(order.size());
   result.cornerNormals.resize(cornerNormals.back());
   parallelFor(chunks, threads, [&](std::size_t c) {
-    std::size_t place = c * kChunkSize;
+    const std::span<gpu::Primitive> shapes =
+        std::span(result.primitives).subspan(c * kChunkSize, chunk(c).size());
+    const std::span<gpu::TrianglePlane> planes(result.trianglePlanes);
+    primitives.make(chunk(c), shapes,
+                    planes.empty() ? planes : planes.subspan(c * kChunkSize, shapes.size()));
     std::uint32_t cornerNormal = cornerNormals[c];
-    for (const std::uint32_t i : chunk(c)) {
-      gpu::Primitive shape = primitives.shape(i);
-      if (!result.cornerNormals.empty() && primitives.hasCornerNormals(i)) {
-        shape.kind = cornerNormal;
-        std::ranges::copy(primitives.cornerNormals(i), &result.cornerNormals[cornerNormal]);
-        cornerNormal += 3;
-      }
-      result.primitives[place++] = shape;
-    }
-    if (!result.trianglePlanes.empty()) {
-      primitives.planes(chunk(c), std::span(result.trianglePlanes).subspan(c * kChunkSize, chunk(c).size()));
+    if (cornerNormal == cornerNormals[c + 1]) return;
+    for (gpu::Primitive& shape : shapes) {
+      if (!primitives.hasCornerNormals(shape.order)) continue;
+      shape.kind = cornerNormal;
+      std::ranges::copy(primitives.cornerNormals(shape.order), &result.cornerNormals[cornerNormal]);
+      cornerNormal += 3;
     }
   });
 }

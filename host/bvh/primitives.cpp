@@ -121,34 +121,40 @@ std::array<glm::dvec3, 3> Primitives::vertices(const Run& run, std::uint32_t ind
   return {run.mesh->positions[a], run.mesh->positions[b], run.mesh->positions[c]};
 }
 
-gpu::Primitive Primitives::shape(std::uint32_t index) const {
-  const Run& run = runOf(index);
-  const std::size_t i = run.begin + (index - run.first);
-  if (run.source == Source::kSpheres) {
-    const Sphere& sphere = scene_.spheres[i];
-    const glm::vec3 radius(frame_.length(sphere.radius), 0.0F, 0.0F);
-    return {
-        frame_.position(sphere.center), gpu::kPrimitiveSphere, radius, sphere.object, glm::vec3(0.0F), index};
-  }
-  const std::array<glm::dvec3, 3> v = vertices(run, index);
-  const std::uint32_t object = run.mesh != nullptr ? run.object : scene_.triangles[i].object;
+gpu::Primitive Primitives::sphere(const Run& run, std::uint32_t index) const {
+  const Sphere& sphere = scene_.spheres[run.begin + (index - run.first)];
+  const glm::vec3 radius(frame_.length(sphere.radius), 0.0F, 0.0F);
+  return {
+      frame_.position(sphere.center), gpu::kPrimitiveSphere, radius, sphere.object, glm::vec3(0.0F), index};
+}
+
+gpu::Primitive Primitives::triangle(const Run& run, std::uint32_t index,
+                                    const std::array<glm::dvec3, 3>& v) const {
+  const std::uint32_t object =
+      run.mesh != nullptr ? run.object : scene_.triangles[run.begin + (index - run.first)].object;
   return {frame_.position(v[0]), gpu::kPrimitiveFlatTriangle,
           frame_.position(v[1]), object,
           frame_.position(v[2]), index};
+}
+
+gpu::Primitive Primitives::shape(std::uint32_t index) const {
+  const Run& run = runOf(index);
+  return run.source == Source::kSpheres ? sphere(run, index) : triangle(run, index, vertices(run, index));
 }
 
 // Of a triangle: rounding keeps the order of coordinates, so it may come after finding the least and the
 // largest.
 Box Primitives::box(std::uint32_t index) const {
   const Run& run = runOf(index);
-  if (run.source == Source::kSpheres) return boundingBox(shape(index));
+  if (run.source == Source::kSpheres) return boundingBox(sphere(run, index));
   const auto [a, b, c] = vertices(run, index);
   return {frame_.position(glm::min(glm::min(a, b), c)), frame_.position(glm::max(glm::max(a, b), c))};
 }
 
 // Step by step, each for a block of triangles: the divisions and square roots of one wait for one another,
 // those of several do not.
-void Primitives::planes(std::span<const std::uint32_t> indices, std::span<gpu::TrianglePlane> result) const {
+void Primitives::make(std::span<const std::uint32_t> indices, std::span<gpu::Primitive> shapes,
+                      std::span<gpu::TrianglePlane> planes) const {
   constexpr std::size_t kBlockSize = 64;
   struct Corner {
     glm::dvec3 position{0.0};
@@ -158,19 +164,25 @@ void Primitives::planes(std::span<const std::uint32_t> indices, std::span<gpu::T
   for (std::size_t begin = 0; begin < indices.size(); begin += kBlockSize) {
     const std::size_t count = std::min(kBlockSize, indices.size() - begin);
     for (std::size_t i = 0; i < count; ++i) {
-      const Run& run = runOf(indices[begin + i]);
+      const std::uint32_t index = indices[begin + i];
+      const Run& run = runOf(index);
       corners[i] = {};
-      if (run.source == Source::kSpheres) continue;
-      const std::array<glm::dvec3, 3> v = vertices(run, indices[begin + i]);
+      if (run.source == Source::kSpheres) {
+        shapes[begin + i] = sphere(run, index);
+        continue;
+      }
+      const std::array<glm::dvec3, 3> v = vertices(run, index);
+      shapes[begin + i] = triangle(run, index, v);
       corners[i] = {v[0], {v[1] - v[0], v[2] - v[0]}};
     }
+    if (planes.empty()) continue;
     for (std::size_t i = 0; i < count; ++i) {
       for (glm::dvec3& edge : corners[i].edges) edge = unitOrZero(edge);
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [position, edges] = corners[i];
       const glm::dvec3 normal = unitOrZero(glm::cross(edges[0], edges[1]));
-      result[begin + i] = {toFloat(normal), frame_.planeDistance(normal, position)};
+      planes[begin + i] = {toFloat(normal), frame_.planeDistance(normal, position)};
     }
   }
 }

@@ -28,8 +28,9 @@ class Primitives {
   [[nodiscard]] gpu::Primitive shape(
       std::uint32_t index) const;  // a triangle: as if it had no corner normals
   [[nodiscard]] Box box(std::uint32_t index) const;
-  // As many planes as indices; zeros for a sphere.
-  void planes(std::span<const std::uint32_t> indices, std::span<gpu::TrianglePlane> result) const;
+  // As many shapes as indices; as many planes, zeros for a sphere, or none.
+  void make(std::span<const std::uint32_t> indices, std::span<gpu::Primitive> shapes,
+            std::span<gpu::TrianglePlane> planes) const;
   [[nodiscard]] bool hasCornerNormals(std::uint32_t index) const;
   [[nodiscard]] std::array<gpu::CornerNormal, 3> cornerNormals(std::uint32_t index) const;
 
@@ -47,6 +48,9 @@ class Primitives {
   void addRun(Source source, std::size_t begin, std::size_t count, const MeshObject* mesh);
   [[nodiscard]] const Run& runOf(std::uint32_t index) const;
   [[nodiscard]] std::array<glm::dvec3, 3> vertices(const Run& run, std::uint32_t index) const;
+  [[nodiscard]] gpu::Primitive sphere(const Run& run, std::uint32_t index) const;
+  [[nodiscard]] gpu::Primitive triangle(const Run& run, std::uint32_t index,
+                                        const std::array<glm::dvec3, 3>& v) const;
 
   const Scene& scene_;
   Frame frame_;
