@@ -114,7 +114,7 @@ class Builder {
     std::vector<Range> children(2 * ranges.size());
     parallelFor(ranges.size(), threads_, [&](std::size_t r) {
       const auto [left, right] = split(ranges[r], mappings[r], bins[r]);
-      makeInnerNode(ranges[r], left.node, right.node);
+      makeInnerNode(ranges[r], right.node);
       children[2 * r] = left;
       children[2 * r + 1] = right;
     });
@@ -139,7 +139,7 @@ class Builder {
     left.bounds.centroids = centroidsOf(left.first, left.count);
     right.bounds.centroids = centroidsOf(right.first, right.count);
     right.node = buildSubtree(left);  // leaves no gap after the left subtree, whose size is known now
-    makeInnerNode(range, left.node, right.node);
+    makeInnerNode(range, right.node);
     return buildSubtree(right);
   }
 
@@ -151,8 +151,8 @@ class Builder {
     return buildBySweep(all, range, bvh_);
   }
 
-  void makeInnerNode(const Range& range, std::uint32_t left, std::uint32_t right) {
-    bvh_.nodes[range.node] = {range.bounds.box.unpadded(), 0, 0, left, right};
+  void makeInnerNode(const Range& range, std::uint32_t right) {
+    bvh_.nodes[range.node] = {range.bounds.box.unpadded(), 0, right};
   }
 
   PaddedBox centroidsOf(std::uint32_t first, std::uint32_t count) {
@@ -233,8 +233,8 @@ void measureNode(const Bvh& bvh, std::uint32_t index, unsigned depth, double roo
   }
   ++quality.innerNodes;
   quality.sahCost += share;
-  measureNode(bvh, node.left, depth + 1, rootArea, quality);
-  measureNode(bvh, node.right, depth + 1, rootArea, quality);
+  measureNode(bvh, index + 1, depth + 1, rootArea, quality);
+  measureNode(bvh, node.first, depth + 1, rootArea, quality);
 }
 
 }  // namespace
@@ -253,7 +253,7 @@ Bvh oneLeaf(std::span<const Box> boxes) {
   assert(!boxes.empty() && boxes.size() <= gpu::kMaxLeafSize);
   Bvh bvh;
   bvh.nodes.resize(1);
-  bvh.nodes[0] = {{}, static_cast<std::uint32_t>(boxes.size()), 0, 0, 0};
+  bvh.nodes[0] = {{}, static_cast<std::uint32_t>(boxes.size()), 0};
   bvh.order.resize(boxes.size());
   std::iota(bvh.order.begin(), bvh.order.end(), 0U);
   for (const Box& box : boxes) bvh.nodes[0].box.extend(box);

@@ -20,9 +20,7 @@ namespace lavaray {
 struct BvhNode {
   Box box;
   std::uint32_t count = 0;  // leaf: its primitives are Bvh::order[first .. first + count - 1]
-  std::uint32_t first = 0;
-  std::uint32_t left = 0;  // inner node (count 0): its children
-  std::uint32_t right = 0;
+  std::uint32_t first = 0;  // inner node (count 0): the second child; the first one follows the node itself
 };
 
 struct Bvh {

@@ -58,9 +58,9 @@ class SweepBuilder {
       // If no split gains anything, as among equal boxes, at least keep the tree shallow.
       if (!anySplit || best.cost >= leafCost) best.middle = (begin + end) / 2;
       partition(best, begin, end);
-      const std::uint32_t left = build(begin, best.middle, depth + 1);
+      build(begin, best.middle, depth + 1);
       const std::uint32_t right = build(best.middle, end, depth + 1);
-      bvh_.nodes[index] = {box.unpadded(), 0, 0, left, right};
+      bvh_.nodes[index] = {box.unpadded(), 0, right};
     }
     return index;
   }
@@ -73,7 +73,7 @@ class SweepBuilder {
   void makeLeaf(std::uint32_t index, const PaddedBox& box, int begin, int end) {
     const std::uint32_t first = first_ + static_cast<std::uint32_t>(begin);
     for (int i = begin; i < end; ++i) bvh_.order[first_ + i] = at(0, i).primitive();
-    bvh_.nodes[index] = {box.unpadded(), static_cast<std::uint32_t>(end - begin), first, 0, 0};
+    bvh_.nodes[index] = {box.unpadded(), static_cast<std::uint32_t>(end - begin), first};
   }
 
   // Puts each reference at the index that is the number of references before it. For so few, counting beats

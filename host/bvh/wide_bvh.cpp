@@ -158,7 +158,7 @@ class Widener {
     }
     gpu::BvhNode wide{};
     wide.children = glm::uvec4(gpu::kMissingChild);
-    const Children children = open(node);
+    const Children children = open(index);
     std::array<Box, gpu::kNodeWidth> boxes;
     for (std::size_t i = 0; i < children.count; ++i) boxes[i] = bvh_.nodes[children.nodes[i]].box;
     setBoxes(wide, node.box, {boxes.data(), children.count});
@@ -180,10 +180,10 @@ class Widener {
   // The node's two children; then, while there is room, an inner one is replaced by its own two: always the
   // one with the largest surface, which a ray is most likely to visit. Largest first: the order in which a
   // shadow ray, which needs no nearest hit, visits them.
-  [[nodiscard]] Children open(const BvhNode& node) const {
+  [[nodiscard]] Children open(std::uint32_t node) const {
     Children children;
-    children.add(node.left);
-    children.add(node.right);
+    children.add(node + 1);
+    children.add(bvh_.nodes[node].first);
     const auto rank = [&](std::uint32_t i) {
       return bvh_.nodes[i].count > 0 ? -1.0F : halfArea(bvh_.nodes[i].box);
     };
@@ -191,10 +191,10 @@ class Widener {
       const auto begin = children.nodes.begin();
       const auto largest = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(children.count),
                                             [&](auto a, auto b) { return rank(a) < rank(b); });
-      const BvhNode& opened = bvh_.nodes[*largest];
-      if (opened.count > 0) break;
-      *largest = opened.left;
-      children.add(opened.right);
+      const std::uint32_t opened = *largest;
+      if (bvh_.nodes[opened].count > 0) break;
+      *largest = opened + 1;
+      children.add(bvh_.nodes[opened].first);
     }
     sortByArea(children);
     return children;

@@ -28,8 +28,8 @@ inline void expectSound(const Bvh& bvh, std::span<const Box> boxes) {
         content.extend(boxes[bvh.order[i]]);
       }
     } else {
-      content.extend(visit(node.left, depth + 1));
-      content.extend(visit(node.right, depth + 1));
+      content.extend(visit(index + 1, depth + 1));
+      content.extend(visit(node.first, depth + 1));
     }
     EXPECT_EQ(content.lower, node.box.lower);
     EXPECT_EQ(content.upper, node.box.upper);

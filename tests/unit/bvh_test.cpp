@@ -12,19 +12,15 @@ void expectSameTree(const Bvh& a, const Bvh& b) {
   ASSERT_EQ(a.nodes.size(), b.nodes.size());
   std::vector<std::uint32_t> toVisit{0};
   while (!toVisit.empty()) {
-    const BvhNode& nodeA = a.nodes.at(toVisit.back());
-    const BvhNode& nodeB = b.nodes.at(toVisit.back());
+    const std::uint32_t index = toVisit.back();
+    const BvhNode& nodeA = a.nodes.at(index);
+    const BvhNode& nodeB = b.nodes.at(index);
     toVisit.pop_back();
     ASSERT_EQ(nodeA.box.lower, nodeB.box.lower);
     ASSERT_EQ(nodeA.box.upper, nodeB.box.upper);
     ASSERT_EQ(nodeA.count, nodeB.count);
-    if (nodeA.count > 0) {
-      ASSERT_EQ(nodeA.first, nodeB.first);
-      continue;
-    }
-    ASSERT_EQ(nodeA.left, nodeB.left);
-    ASSERT_EQ(nodeA.right, nodeB.right);
-    toVisit.insert(toVisit.end(), {nodeA.left, nodeA.right});
+    ASSERT_EQ(nodeA.first, nodeB.first);
+    if (nodeA.count == 0) toVisit.insert(toVisit.end(), {index + 1, nodeA.first});
   }
 }
 
@@ -49,8 +45,8 @@ TEST(Bvh, SeparatesClusters) {
     boxes[i].upper.x += 1000.0F;
   }
   const Bvh bvh = buildBvh(boxes, 1);
-  const Box& left = bvh.nodes[bvh.nodes[0].left].box;
-  const Box& right = bvh.nodes[bvh.nodes[0].right].box;
+  const Box& left = bvh.nodes[1].box;
+  const Box& right = bvh.nodes[bvh.nodes[0].first].box;
   EXPECT_TRUE(left.upper.x < right.lower.x || right.upper.x < left.lower.x);
 }
 
