@@ -13,6 +13,7 @@
 
 struct Beam {
   bvec3 negative;  // for each axis, whether the rays enter a box through its upper side
+  uint axis;       // the main one of them all
   // Of the ray that bounds where boxes are entered, and of the one that bounds where they are left. The
   // inverse is of the direction: +-infinity where that is zero.
   vec3 nearOrigin;
@@ -27,7 +28,7 @@ bvec3 entersDownwards(Ray ray) {
 }
 
 // The beam of those of the rays that are in it; they must have no denormal numbers.
-Beam beamOf(Ray rays[kRaysPerLane], bool isIn[kRaysPerLane], bvec3 negative) {
+Beam beamOf(Ray rays[kRaysPerLane], bool isIn[kRaysPerLane], bvec3 negative, uint axis) {
   vec3 lowerOrigin = vec3(kInfinity);
   vec3 upperOrigin = vec3(-kInfinity);
   vec3 lowerInverse = vec3(kInfinity);
@@ -41,8 +42,9 @@ Beam beamOf(Ray rays[kRaysPerLane], bool isIn[kRaysPerLane], bvec3 negative) {
       upperInverse = max(upperInverse, inverse);
     }
   }
-  return Beam(negative, mix(upperOrigin, lowerOrigin, negative), mix(lowerInverse, upperInverse, negative),
-              mix(lowerOrigin, upperOrigin, negative), mix(upperInverse, lowerInverse, negative));
+  return Beam(negative, axis, mix(upperOrigin, lowerOrigin, negative),
+              mix(lowerInverse, upperInverse, negative), mix(lowerOrigin, upperOrigin, negative),
+              mix(upperInverse, lowerInverse, negative));
 }
 
 // The distances at which the beam enters four boxes, or infinity where it misses one or enters it beyond

@@ -32,15 +32,15 @@ bool hitPlanes(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], i
 }
 
 // Finds for each ray of the packet the nearest surface that it hits before hit.t, or with `anyHit` any such
-// surface; never the one that it skips. `entry` is as for traverse. Returns false if the device ended the
-// loops before the search was over.
-bool findHits(const bool anyHit, Packet packet, uint entry, inout Hit hits[kRaysPerLane], inout uint tests) {
+// surface; never the one that it skips. Returns false if the device ended the loops before the search was
+// over.
+bool findHits(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], inout uint tests) {
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) packet.rays[r] = withoutDenormals(packet.rays[r]);
   bool finished = true;
   if (kFewPrimitives) {
     finished = testEach(anyHit, packet, hits, tests);
   } else if (kHasSpheres || kHasTriangles) {
-    finished = traverse(anyHit, packet, entry, hits, tests);
+    finished = traverse(anyHit, packet, hits, tests);
   }
   return finished && hitPlanes(anyHit, packet, hits, tests);
 }

@@ -27,6 +27,7 @@ const float kNoRay = -1.0;
 struct Packet {
   Ray rays[kRaysPerLane];      // without denormal numbers
   uint skipped[kRaysPerLane];  // the surfaces that they never hit
+  uint entry;                  // 0, kRootGroup or a packed group that contains all that they can hit
 };
 
 bool anyOf(bool values[kRaysPerLane]) {

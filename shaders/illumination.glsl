@@ -20,6 +20,7 @@ bool lightTerms(Light light, ShadingPoint points[kRaysPerLane], LightDirections 
   do {
     if (i < count) {  // always true: see traverse
       Packet shadows;
+      shadows.entry = kRootGroup;
       Hit hits[kRaysPerLane];
       vec3 unblocked[kRaysPerLane];
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
@@ -41,7 +42,7 @@ bool lightTerms(Light light, ShadingPoint points[kRaysPerLane], LightDirections 
         counts.shadow += traces ? 1u : 0u;
         counts.skippedShadow += looks && !traces ? 1u : 0u;
       }
-      finished = findHits(true, shadows, kRootGroup, hits, counts.tests);
+      finished = findHits(true, shadows, hits, counts.tests);
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
         if (hits[r].surface == kNoSurface) terms[r] += unblocked[r];
       }

@@ -9,20 +9,22 @@
 struct Segment {
   Ray ray;
   uint skipped;  // the surface that the ray leaves
+  uint entry;    // Packet::entry, the same for all segments
   bool isThere;  // until the path ends
   vec3 weight;   // the product of the mirrors' reflectances so far
 };
 
 // Finds what a segment hits and what can be seen there; nothing where it is not there or hits nothing.
-bool findPoints(Segment segments[kRaysPerLane], uint entry, out Hit hits[kRaysPerLane], inout uint tests,
+bool findPoints(Segment segments[kRaysPerLane], out Hit hits[kRaysPerLane], inout uint tests,
                 out ShadingPoint points[kRaysPerLane]) {
   Packet packet;
+  packet.entry = segments[0].entry;
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     packet.rays[r] = segments[r].ray;
     packet.skipped[r] = segments[r].skipped;
     hits[r] = missUpTo(segments[r].isThere ? kInfinity : kNoRay);
   }
-  if (!findHits(false, packet, entry, hits, tests)) return false;
+  if (!findHits(false, packet, hits, tests)) return false;
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     points[r].surface = hits[r].surface;
     if (isThere(points[r])) {
@@ -45,19 +47,19 @@ Segment reflection(Segment segment, ShadingPoint point) {
   const vec3 direction = incoming - 2.0 * preciseDot(incoming, normal) * normal;
   segment.ray = Ray(leave(point.at, direction), direction);
   segment.skipped = point.surface;
+  segment.entry = kRootGroup;
   return segment;
 }
 
 // Finds what the segments hit, adds what that shows and replaces the segments with their reflections, or sets
 // `ended`. Returns false where it could not finish; `state` then says what is missing.
-bool followSegments(inout Segment segments[kRaysPerLane], uint entry, uint bounce,
-                    PathSettings settings[kRaysPerLane], inout PathState state, inout RayCounts counts,
-                    out bool ended) {
+bool followSegments(inout Segment segments[kRaysPerLane], uint bounce, PathSettings settings[kRaysPerLane],
+                    inout PathState state, inout RayCounts counts, out bool ended) {
   ended = true;
   Hit hits[kRaysPerLane];
   ShadingPoint points[kRaysPerLane];
   uint tests = 0u;
-  if (!findPoints(segments, entry, hits, tests, points)) return false;
+  if (!findPoints(segments, hits, tests, points)) return false;
   // When a path is traced again, its tests have been added already.
   const bool isNew = !kResumable || (bounce == state.bounce && state.step == 0u);
   if (kCountsTests && isNew) state.tests += tests;
@@ -91,14 +93,13 @@ bool tracePaths(Ray rays[kRaysPerLane], bool isThere[kRaysPerLane], uint entry,
                 PathSettings settings[kRaysPerLane], inout PathState state, inout RayCounts counts) {
   Segment segments[kRaysPerLane];
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) segments[r] =
-      Segment(rays[r], kNoSurface, isThere[r], vec3(1.0));
+      Segment(rays[r], kNoSurface, entry, isThere[r], vec3(1.0));
   bool finished = false;
   bool ended = false;
   uint bounce = 0u;
   do {
     if (bounce <= settings[0].maxDepth) {  // always true: see traverse
-      finished =
-          followSegments(segments, bounce == 0u ? entry : kRootGroup, bounce, settings, state, counts, ended);
+      finished = followSegments(segments, bounce, settings, state, counts, ended);
       ++bounce;
     }
   } while (kHasMirrors && finished && !ended);

@@ -6,8 +6,8 @@
 #include "node.glsl"
 
 // Finds for each ray of a beam the nearest primitive that it hits before hit.t, or with `anyHit` any such
-// primitive. Searches below the packed group `entry`, which is 0, kRootGroup or contains all that the rays
-// can hit. Returns false if the device ended the loops before the search was over (see kMaxTraversalSteps).
+// primitive. Searches below packet.entry. Returns false if the device ended the loops before the search was
+// over (see kMaxTraversalSteps).
 //
 // Each iteration of the inner loop finds which children of a node the beam enters and takes the next child.
 // The loop ends at a leaf, or when nothing waits. A lane that has found its leaf waits for the other lanes of
@@ -15,13 +15,13 @@
 //
 // Wherever a device may force an exit, it can be told from a finished search: by a reference that is still to
 // an inner node, by primitives of the leaf that are left, and by `over`.
-bool traverseBeam(const bool anyHit, Packet packet, Beam beam, uint axis, uint entry,
-                  inout Hit hits[kRaysPerLane], inout uint tests) {
+bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kRaysPerLane],
+                  inout uint tests) {
   ShearedRay sheared[kRaysPerLane];
-  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) sheared[r] = shearedRay(packet.rays[r], axis);
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) sheared[r] = shearedRay(packet.rays[r], beam.axis);
   GroupStack stack;
   for (uint i = 0u; i < kStackSize; ++i) stack.entries[i] = 0u;
-  stack.entries[0] = entry;
+  stack.entries[0] = packet.entry;
   bool over = false;
   uint steps = 0u;
   do {
@@ -41,7 +41,7 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, uint axis, uint e
     const uint end = over ? i : i + (reference >> kLeafShift);
     do {
       if (i < end) {
-        hitPrimitive(anyHit, packet, sheared, axis, i, hits);
+        hitPrimitive(anyHit, packet, sheared, beam.axis, i, hits);
         if (kCountsTests && i != packet.skipped[0]) ++tests;
         ++i;
       }
@@ -58,7 +58,7 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, uint axis, uint e
 // The condition in the loop is always true, by the loop's own condition. But what Mesa 22.3's llvmpipe
 // computes in a loop and uses after it, it goes on computing for lanes that have left the loop, unless it is
 // assigned under a condition. So do all loops here that end with their condition.
-bool traverse(const bool anyHit, Packet packet, uint entry, inout Hit hits[kRaysPerLane], inout uint tests) {
+bool traverse(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], inout uint tests) {
   bool waits[kRaysPerLane];
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) waits[r] = hits[r].t > 0.0;
   bool finished = true;
@@ -82,8 +82,8 @@ bool traverse(const bool anyHit, Packet packet, uint entry, inout Hit hits[kRays
         found[r] = hits[r];
         if (!isIn[r]) found[r].t = kNoRay;
       }
-      const Beam beam = beamOf(packet.rays, isIn, negative);
-      finished = traverseBeam(anyHit, packet, beam, axis, entry, found, tests);
+      const Beam beam = beamOf(packet.rays, isIn, negative, axis);
+      finished = traverseBeam(anyHit, packet, beam, found, tests);
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
         if (isIn[r]) hits[r] = found[r];
       }

@@ -49,7 +49,8 @@ struct Shared {
 TEST(Layout, IsTheSameOnHostAndDevice) {
   Counter counter;
   GpuScene scene;
-  const auto fillTwo = [&]<typename Struct>(std::vector<Struct>& array) {
+  const auto fillTwo = [&](auto& array) {
+    using Struct = std::decay_t<decltype(array[0])>;
     array.push_back(counter.fill<Struct>());
     array.push_back(counter.fill<Struct>());
   };

@@ -35,12 +35,13 @@ void main() {
   const uvec4 t1 = texelFetch(rayTexels, int(index * kTexelsPerBatchRay) + 1);
   const Ray ray = Ray(uintBitsToFloat(t0.xyz), uintBitsToFloat(t1.xyz));
   Packet packet;
+  packet.entry = kRootGroup;
   packet.rays[0] = ray;
   packet.skipped[0] = t1.w;
   Hit hits[kRaysPerLane];
   hits[0] = missUpTo(uintBitsToFloat(t0.w));
   uint tests = 0u;
-  const bool finished = findHits(false, packet, kRootGroup, hits, tests);
+  const bool finished = findHits(false, packet, hits, tests);
   const Hit hit = hits[0];
   const bool isHit = finished && hit.surface != kNoSurface;
   const uint first = index * (1u + kLightCount);

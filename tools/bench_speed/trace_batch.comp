@@ -22,6 +22,7 @@ void main() {
   const uint first = gl_GlobalInvocationID.x * kRaysPerLane;
   if (first >= constants.rayCount) return;
   Packet packet;
+  packet.entry = kRootGroup;
   Hit hits[kRaysPerLane];
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     const int texel = int(min(first + r, constants.rayCount - 1u) * kTexelsPerBatchRay);
@@ -33,8 +34,7 @@ void main() {
   }
   uint tests = 0u;
   bool finished = true;
-  if (kBatchMode != kBatchNoTrace)
-    finished = findHits(kBatchMode == kBatchAny, packet, kRootGroup, hits, tests);
+  if (kBatchMode != kBatchNoTrace) finished = findHits(kBatchMode == kBatchAny, packet, hits, tests);
   const float nan = uintBitsToFloat(0x7FC00000u);
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     if (first + r >= constants.rayCount) continue;

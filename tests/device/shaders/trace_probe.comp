@@ -19,8 +19,7 @@ layout(push_constant) uniform PushConstants {
 
 bool search(Packet packet, inout Hit found[kRaysPerLane]) {
   uint tests = 0u;
-  if (constants.mode != kTraceBruteForce)
-    return traverse(constants.mode == kTraceAny, packet, kRootGroup, found, tests);
+  if (constants.mode != kTraceBruteForce) return traverse(constants.mode == kTraceAny, packet, found, tests);
   uint i = 0u;
   for (; i < constants.primitiveCount; ++i) {
     const Primitive primitive = fetchPrimitive(i);
@@ -39,6 +38,7 @@ void main() {
   const uint first = gl_GlobalInvocationID.x * kRaysPerLane;
   if (first >= constants.rayCount) return;
   Packet packet;
+  packet.entry = kRootGroup;
   Hit found[kRaysPerLane];
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     const ProbeRay probe = rays[min(first + r, constants.rayCount - 1u)];

@@ -6,12 +6,13 @@
 
 bool findHit(const bool anyHit, Ray ray, uint skipped, inout Hit hit) {
   Packet packet;
+  packet.entry = kRootGroup;
   packet.rays[0] = ray;
   packet.skipped[0] = skipped;
   Hit hits[kRaysPerLane];
   hits[0] = hit;
   uint tests = 0u;
-  const bool finished = findHits(anyHit, packet, kRootGroup, hits, tests);
+  const bool finished = findHits(anyHit, packet, hits, tests);
   hit = hits[0];
   return finished;
 }
