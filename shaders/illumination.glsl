@@ -68,28 +68,32 @@ bool addIllumination(ShadingPoint points[kRaysPerLane], PathSettings settings[kR
   }
   uint directionCounts[kRaysPerLane];
   if (kHasSphericalLights && !countLightDirections(points, state.bounce, directionCounts)) return false;
-  for (; state.step <= kLightCount; ++state.step) {
-    if (kResumable && counts.shadow >= kMaxShadowRaysPerDispatch) return false;
-    const uint i = state.step - 1u;
-    const Light light = fetchLight(i);
-    const uint use = kUseOfFirstLight + state.bounce * kLightCount + i;
-    LightDirections directions[kRaysPerLane];
-    bool showsAny[kRaysPerLane];
-    [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-      const bool isSphere = kHasSphericalLights && light.radius > 0.0;
-      directions[r] = LightDirections(settings[r], use, isSphere ? directionCounts[r] : 1u);
-      // A sample that is white in all channels stays white, since no term is negative.
-      showsAny[r] = kView == kViewShadow || minComponent(state.color[r]) < 1.0;
+  bool goesOn = true;
+  do {
+    if (goesOn && state.step <= kLightCount) {  // after the first time always true: see traverse
+      const uint i = state.step - 1u;
+      const Light light = fetchLight(i);
+      const uint use = kUseOfFirstLight + state.bounce * kLightCount + i;
+      LightDirections directions[kRaysPerLane];
+      bool showsAny[kRaysPerLane];
+      [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+        const bool isSphere = kHasSphericalLights && light.radius > 0.0;
+        directions[r] = LightDirections(settings[r], use, isSphere ? directionCounts[r] : 1u);
+        // A sample that is white in all channels stays white, since no term is negative.
+        showsAny[r] = kView == kViewShadow || minComponent(state.color[r]) < 1.0;
+      }
+      vec3 terms[kRaysPerLane];
+      const uint tests = counts.tests;
+      goesOn = lightTerms(light, points, directions, showsAny, counts, terms);
+      [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+        if (goesOn && isThere(points[r])) state.color[r] += points[r].weight * terms[r];
+      }
+      if (kCountsTests && goesOn) state.tests += counts.tests - tests;
+      if (goesOn) ++state.step;
+      if (kResumable && counts.shadow >= kMaxShadowRaysPerDispatch) goesOn = false;
     }
-    vec3 terms[kRaysPerLane];
-    const uint tests = counts.tests;
-    if (!lightTerms(light, points, directions, showsAny, counts, terms)) return false;
-    [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-      if (isThere(points[r])) state.color[r] += points[r].weight * terms[r];
-    }
-    if (kCountsTests) state.tests += counts.tests - tests;
-  }
-  const bool finished = state.step > kLightCount;
+  } while (goesOn && state.step <= kLightCount);
+  const bool finished = state.step == kLightCount + 1u;
   // So far the colours are the numbers of lights that are not blocked.
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     if (kView == kViewShadow && kLightCount > 0u && finished) state.color[r] /= float(kLightCount);

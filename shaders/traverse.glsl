@@ -13,8 +13,10 @@
 // The loop ends at a leaf, or when nothing waits. A lane that has found its leaf waits for the other lanes of
 // its subgroup, so that the leaves are tested together.
 //
-// Wherever a device may force an exit, it can be told from a finished search: by a reference that is still to
-// an inner node, by primitives of the leaf that are left, and by `over`.
+// Wherever a device may end a loop, `isCut` tells that from a finished search: by a reference that is still
+// to an inner node, by primitives of the leaf that are left, and by groups that still wait. None of these is
+// a loop's own condition, which compilers take to be false after the loop; and no loop has a second exit,
+// since what depends on the exit taken is unknown where the device took none.
 bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kRaysPerLane],
                   inout uint tests) {
   ShearedRay sheared[kRaysPerLane];
@@ -22,6 +24,7 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
   GroupStack stack;
   for (uint i = 0u; i < kStackSize; ++i) stack.entries[i] = 0u;
   stack.entries[0] = packet.entry;
+  bool isCut = false;
   bool over = false;
   uint steps = 0u;
   do {
@@ -35,10 +38,9 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
         ++steps;
       }
     } while (reference <= kMaxReference && steps < kMaxTraversalSteps);
-    if (reference <= kMaxReference) return false;
-    over = reference == kNoReference;
+    isCut = reference <= kMaxReference;
     uint i = reference & kMaxReference;
-    const uint end = over ? i : i + (reference >> kLeafShift);
+    const uint end = isCut || reference == kNoReference ? i : i + (reference >> kLeafShift);
     do {
       if (i < end) {
         hitPrimitive(anyHit, packet, sheared, beam.axis, i, hits);
@@ -46,10 +48,10 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
         ++i;
       }
     } while (i < end);
-    if (i < end) return false;
-    over = over || (anyHit && farthest(hits) == kNoRay);
+    isCut = isCut || i != end;
+    over = isCut || reference == kNoReference || (anyHit && farthest(hits) == kNoRay);
   } while (!over);
-  return over;
+  return !isCut && (stack.entries[0] == 0u || (anyHit && farthest(hits) == kNoRay));
 }
 
 // As traverseBeam, for any rays: those whose directions have the same signs and the same main axis as the
@@ -60,7 +62,11 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
 // assigned under a condition. So do all loops here that end with their condition.
 bool traverse(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], inout uint tests) {
   bool waits[kRaysPerLane];
-  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) waits[r] = hits[r].t > 0.0;
+  uint left = 0u;
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
+    waits[r] = hits[r].t > 0.0;
+    left += uint(waits[r]);
+  }
   bool finished = true;
   do {
     if (anyOf(waits)) {
@@ -79,6 +85,7 @@ bool traverse(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], in
         }
         isIn[r] = waits[r] && rayNegative == negative && rayAxis == axis;
         waits[r] = waits[r] && !isIn[r];
+        left -= uint(isIn[r]);
         found[r] = hits[r];
         if (!isIn[r]) found[r].t = kNoRay;
       }
@@ -89,7 +96,7 @@ bool traverse(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], in
       }
     }
   } while (kRaysPerLane > 1u && finished && anyOf(waits));
-  return finished;
+  return finished && left == 0u;
 }
 
 #endif
