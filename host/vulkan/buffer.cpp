@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "base/huge_pages.hpp"
 #include "vulkan/result.hpp"
+#include "vulkan/submission.hpp"
 
 namespace lavaray::vulkan {
 namespace {
@@ -108,10 +109,12 @@ Buffer Buffer::uploaded(Device& device, const std::string& name, BufferUse use,
     const Buffer staging(device, name, content.size(), BufferUse::kStorage, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                          std::array{kOnHost});
     std::memcpy(staging.mapped_, content.data(), content.size());
-    device.submit([&](VkCommandBuffer commands) {
+    Submission copy(device);
+    copy.submit([&](VkCommandBuffer commands) {
       const VkBufferCopy region{0, 0, content.size()};
       vkCmdCopyBuffer(commands, staging.get(), buffer.get(), 1, &region);
     });
+    copy.wait();
   }
   if (use == BufferUse::kTexels) buffer.createView(name);
   return buffer;

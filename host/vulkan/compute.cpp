@@ -22,6 +22,7 @@ ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spir
   for (const Buffer& buffer : buffers) bindings.push_back(descriptorType(buffer));
   pipeline_ = device.pipelines().get({spirv, specialization, bindings, pushConstantSize});
   createSet(buffers);
+  work_ = std::make_unique<Submission>(device);
 }
 
 void ComputeShader::createSet(std::span<const Buffer> buffers) {
@@ -63,8 +64,8 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   vkUpdateDescriptorSets(device_->get(), count, writes.data(), 0, nullptr);
 }
 
-void ComputeShader::dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants) {
-  device_->submit([&](VkCommandBuffer commands) {
+void ComputeShader::start(std::uint32_t groups, std::span<const std::byte> pushConstants) {
+  work_->submit([&](VkCommandBuffer commands) {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_->get());
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_->layout(), 0, 1, &set_, 0,
                             nullptr);
@@ -80,6 +81,15 @@ void ComputeShader::dispatch(std::uint32_t groups, std::span<const std::byte> pu
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
                          &barrier, 0, nullptr, 0, nullptr);
   });
+}
+
+void ComputeShader::wait() {
+  work_->wait();
+}
+
+void ComputeShader::dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants) {
+  start(groups, pushConstants);
+  wait();
 }
 
 }  // namespace lavaray::vulkan

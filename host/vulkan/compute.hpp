@@ -5,6 +5,7 @@
 #include <span>
 
 #include "vulkan/buffer.hpp"
+#include "vulkan/submission.hpp"
 
 namespace lavaray::vulkan {
 
@@ -12,12 +13,16 @@ namespace lavaray::vulkan {
 // specialization constant i is specialization[i] (0 or 1 for a bool).
 class ComputeShader {
  public:
-  // `buffers` must outlive the shader; their use decides the bindings' descriptor types.
+  // `buffers` must outlive the shader, and so its work; their use decides the bindings' descriptor types.
   ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
                 std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
                 std::size_t pushConstantSize);
 
-  // Runs `groups` work groups and returns once the host can read what they wrote.
+  // Has the device run `groups` work groups, after all that it was given before.
+  void start(std::uint32_t groups, std::span<const std::byte> pushConstants);
+  // Returns once they have run and the host can read what they wrote. Then the shader can be started again.
+  void wait();
+  // Both.
   void dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants);
 
  private:
@@ -27,6 +32,7 @@ class ComputeShader {
   std::shared_ptr<const Pipeline> pipeline_;
   Handle<VkDescriptorPool, &vkDestroyDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;  // freed with the pool
+  std::unique_ptr<Submission> work_;      // goes first, since it waits for what uses the others
 };
 
 }  // namespace lavaray::vulkan

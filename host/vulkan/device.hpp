@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "vulkan/handle.hpp"
@@ -16,8 +15,7 @@ struct DeviceLimits {
   std::uint32_t workGroupsX;  // of one dispatch
 };
 
-// A logical device with one compute queue. One call records work, submits it and waits for it: the program
-// never has two submissions in flight.
+// A logical device with one compute queue, to which Submissions give work.
 class Device {
  public:
   explicit Device(const DeviceDescription& description);
@@ -30,20 +28,18 @@ class Device {
   [[nodiscard]] const DeviceLimits& limits() const { return limits_; }
   [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
 
-  [[nodiscard]] Pipelines& pipelines() { return *pipelines_; }
+  [[nodiscard]] std::uint32_t queueFamily() const { return queueFamily_; }
+  [[nodiscard]] VkQueue queue() const { return queue_; }
 
-  // Lets `record` record commands, submits them and waits until they are done.
-  void submit(const std::function<void(VkCommandBuffer)>& record);
+  [[nodiscard]] Pipelines& pipelines() { return *pipelines_; }
 
  private:
   DeviceDescription description_;
   DeviceLimits limits_{};
   VkPhysicalDeviceMemoryProperties memory_{};
   VkDevice device_ = VK_NULL_HANDLE;
+  std::uint32_t queueFamily_ = 0;
   VkQueue queue_ = VK_NULL_HANDLE;
-  Handle<VkCommandPool, &vkDestroyCommandPool> pool_;
-  VkCommandBuffer commands_ = VK_NULL_HANDLE;  // freed with the pool
-  Handle<VkFence, &vkDestroyFence> fence_;
   std::optional<Pipelines> pipelines_;
 };
 
