@@ -37,24 +37,22 @@ void Render::resumeFrom(FilmReader& film) {
 }
 
 void Render::run(const Proceed& proceed, const TakeRow& take) {
-  stopReason_ = StopReason::kFinished;
   isComplete_ = !isTraced();
-  if (!isTraced()) return;
-  while (sampling_->itemsDone < sampling_->pass.items || beginPass(*sampling_)) {
-    const bool finished = tracer_->run(
-        sampling_->pass, sampling_->itemsDone,
-        [&](std::uint64_t /*first*/, std::span<const gpu::WorkResult> results) {
-          add(*sampling_, results);
-          if (!rows_) return;
-          for (const gpu::WorkResult& result : results) rows_->add(result.sum, take);
-        },
-        [&] {
-          const std::optional<StopReason> reason = reasonToStop(proceed);
-          if (reason) stopReason_ = *reason;
-          return reason.has_value();
-        });
-    if (!finished) return;
+  std::optional<StopReason> reason;
+  while (isTraced()) {
+    while (!reason && tracer_->canBegin() && hasItems(*sampling_)) {
+      reason = reasonToStop(proceed);
+      if (!reason) sampling_->itemsGiven += tracer_->begin(sampling_->passes.back(), sampling_->itemsGiven);
+    }
+    if (tracer_->isIdle()) break;
+    tracer_->take([&](std::uint64_t /*first*/, std::span<const gpu::WorkResult> results) {
+      add(*sampling_, results);
+      if (!rows_) return;
+      for (const gpu::WorkResult& result : results) rows_->add(result.sum, take);
+    });
   }
+  stopReason_ = reason.value_or(StopReason::kFinished);
+  if (!isTraced() || reason) return;
   isComplete_ = true;
   if (sampling_->plan && !sampling_->plan->reachedTarget()) stopReason_ = StopReason::kMaxSamples;
 }

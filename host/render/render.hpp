@@ -36,7 +36,7 @@ class Render {
   // of this render. Throws Error(kInput) where it cannot be read.
   void resumeFrom(FilmReader& film);
 
-  // Called about ten times a second; returns whether to go on.
+  // Called before each batch, some 10s of times a second; returns whether to go on.
   using Proceed = std::function<bool()>;
   // Where no picture is kept, each row is taken as soon as it is complete. Throws Error(kDevice) where the
   // device fails or cannot finish a ray.

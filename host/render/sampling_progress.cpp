@@ -18,30 +18,56 @@ AdaptiveGoal adaptiveGoal(const RenderSettings& settings) {
   return {*settings.targetError, settings.maxSamples, settings.sampler == Sampler::kSobol};
 }
 
+SamplePass passAfterLast(const SamplingProgress& progress) {
+  return nextUniformPass(progress.pixels, *progress.range, progress.passes.back().samples);
+}
+
+void append(SamplingProgress& progress, SamplePass pass) {
+  progress.passes.push_back(std::move(pass));
+  progress.itemsGiven = 0;
+}
+
+// Leaves the last one, which says where to go on.
+void dropDonePasses(SamplingProgress& progress) {
+  while (progress.passes.size() > 1 && progress.itemsDone == progress.passes.front().items) {
+    progress.passes.pop_front();
+    progress.itemsDone = 0;
+  }
+}
+
 }  // namespace
 
 SamplingProgress beginSampling(const GpuScene& scene, const RenderSettings& settings, const Rectangle& area) {
-  SamplingProgress progress{area.pixels(), {}, {}, SampleSums(sumKind(settings), area.pixels()), {}};
+  SamplingProgress progress{area.pixels(), {}, {}, SampleSums(sumKind(settings), area.pixels()), {}, 0, 0};
   if (settings.targetError) {
     progress.plan.emplace(ImageSize{area.width(), area.height()}, adaptiveGoal(settings),
                           pixelsOfSmallObjects(scene, settings));
+    progress.passes.emplace_back();
   } else {
     progress.range = sampleRange(settings);
-    progress.pass.samples = {progress.range->first, progress.range->first};
+    progress.passes.push_back({0, {progress.range->first, progress.range->first}, {}});
   }
   return progress;
 }
 
-bool beginPass(SamplingProgress& progress) {
-  progress.pass = progress.plan ? progress.plan->nextPass(progress.sums.halves())
-                                : nextUniformPass(progress.pixels, *progress.range, progress.pass.samples);
-  progress.itemsDone = 0;
-  return progress.pass.items > 0;
+bool hasItems(SamplingProgress& progress) {
+  if (progress.itemsGiven < progress.passes.back().items) return true;
+  if (!progress.plan) {
+    SamplePass next = passAfterLast(progress);
+    if (next.items > 0) append(progress, std::move(next));
+  } else if (progress.itemsDone == progress.passes.front().items) {
+    append(progress, progress.plan->nextPass(progress.sums.halves()));
+  }
+  dropDonePasses(progress);
+  return progress.itemsGiven < progress.passes.back().items;
 }
 
 void add(SamplingProgress& progress, std::span<const gpu::WorkResult> results) {
-  progress.sums.add(progress.pass, progress.itemsDone, results);
+  progress.sums.add(progress.passes.front(), progress.itemsDone, results);
   progress.itemsDone += results.size();
+  const bool isLastDone = progress.passes.size() == 1 && progress.itemsDone == progress.passes.front().items;
+  if (isLastDone && !progress.plan) append(progress, passAfterLast(progress));
+  dropDonePasses(progress);
 }
 
 double shareDone(const SamplingProgress& progress) {
@@ -65,30 +91,33 @@ std::uint64_t samplingBytes(const RenderSettings& settings, std::uint64_t pixels
 }
 
 void describe(const SamplingProgress& progress, FilmHeader& header) {
+  const SamplePass& pass = progress.passes.front();
   header.kind = progress.sums.kind();
   switch (header.kind) {
     case SumKind::kCenter:
       header.itemsDone = progress.sums.samples();
       break;
     case SumKind::kHalves:
-      header.itemsPending = progress.pass.items - progress.itemsDone;
+      header.itemsPending = pass.items - progress.itemsDone;
       break;
     default:
-      header.roundFirst = progress.pass.samples.first;
-      header.roundSize = progress.pass.samples.end - progress.pass.samples.first;
+      header.roundFirst = pass.samples.first;
+      header.roundSize = pass.samples.end - pass.samples.first;
       header.itemsDone = progress.itemsDone;
   }
 }
 
 void write(const SamplingProgress& progress, FilmWriter& film) {
   film.write(progress.sums.bytes());
-  film.write(std::as_bytes(std::span(progress.pass.list).subspan(progress.plan ? progress.itemsDone : 0)));
+  film.write(
+      std::as_bytes(std::span(progress.passes.front().list).subspan(progress.plan ? progress.itemsDone : 0)));
 }
 
 void resumeFrom(FilmReader& film, SamplingProgress& progress) {
   const FilmHeader& header = film.header();
   film.readPixels(progress.sums.bytes());
   progress.sums.restored(header.itemsDone);
+  progress.passes.clear();
   progress.itemsDone = header.itemsDone;
   if (progress.plan) {
     // A pass cannot be planned again from sums that already have some of its results, so what is left of it
@@ -96,13 +125,15 @@ void resumeFrom(FilmReader& film, SamplingProgress& progress) {
     progress.plan->resumeFrom(progress.sums.halves());
     std::vector<gpu::WorkItem> pending(header.itemsPending);
     film.readItems(std::as_writable_bytes(std::span(pending)));
-    progress.pass = listedPass(std::move(pending));
+    progress.passes.push_back(listedPass(std::move(pending)));
     progress.itemsDone = 0;
   } else if (progress.sums.kind() == SumKind::kCenter) {
-    progress.pass = uniformPass(progress.pixels, {0, 1});
+    progress.passes.push_back(uniformPass(progress.pixels, {0, 1}));
   } else {
-    progress.pass = uniformPass(progress.pixels, {header.roundFirst, header.roundFirst + header.roundSize});
+    progress.passes.push_back(
+        uniformPass(progress.pixels, {header.roundFirst, header.roundFirst + header.roundSize}));
   }
+  progress.itemsGiven = progress.itemsDone;
 }
 
 }  // namespace lavaray

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 
 #include "bvh/gpu_scene.hpp"
@@ -18,17 +19,21 @@ struct SamplingProgress {
   std::optional<SampleRange> range;  // of every pixel; none where there is a plan
   std::optional<AdaptivePlan> plan;  // where there is a target error
   SampleSums sums;
-  SamplePass pass;
-  std::uint64_t itemsDone = 0;  // of the pass
+  // The pass whose results are taken, and those after it of which items are given to the tracer already.
+  std::deque<SamplePass> passes;
+  std::uint64_t itemsDone = 0;   // of the first pass
+  std::uint64_t itemsGiven = 0;  // of the last pass
 };
 
 // For an area of the picture, which with a target error must be the whole crop.
 SamplingProgress beginSampling(const GpuScene& scene, const RenderSettings& settings, const Rectangle& area);
 
-// Chooses the next pass once the one before is done. Returns false if nothing is left to do.
-bool beginPass(SamplingProgress& progress);
+// Whether items are left to give to the tracer: those of the last pass from number itemsGiven on, which may
+// be a new one. Where there is a plan, a new pass needs the results of all items that were given before;
+// until they are added there are none left.
+bool hasItems(SamplingProgress& progress);
 
-// Adds the results of the pass's next items.
+// Adds the results of the next items. They are of one pass.
 void add(SamplingProgress& progress, std::span<const gpu::WorkResult> results);
 
 // In [0, 1]; with a target error it is an estimate.

@@ -1,6 +1,7 @@
 #include "render/tracer.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <string>
 
@@ -13,7 +14,9 @@ namespace {
 // Limits the buffers, whatever the picture's size.
 constexpr std::uint64_t kMaxBatchItems = std::uint64_t{1} << 20U;
 constexpr double kFirstBatchRays = 1U << 15U;
-constexpr double kBatchSeconds = 0.1;
+// Short enough for a render to be looked at, kept or stopped ten times a second while two are in flight; long
+// enough for the ends of batches, where some of a device's threads have nothing left to do, not to matter.
+constexpr double kBatchSeconds = 0.05;
 
 gpu::DispatchConstants dispatchConstants(const GpuScene& scene, const RenderSettings& settings,
                                          const Rectangle& area) {
@@ -44,11 +47,12 @@ PixelBlock unitBlock(std::uint32_t raysPerLane) {
   return raysPerLane == 2 ? PixelBlock{4, 4} : PixelBlock{8, 4};
 }
 
+// At least two batches, so that the results of one can be taken while the other is traced.
 std::uint32_t capacityFor(const vulkan::Device& device, std::uint64_t items) {
   const std::uint64_t reachable =
       std::min<std::uint64_t>(device.limits().storageBufferRange / sizeof(gpu::WorkState),
                               std::uint64_t{device.limits().workGroupsX} * gpu::kWorkGroupSize);
-  return static_cast<std::uint32_t>(std::min({kMaxBatchItems, reachable, items}));
+  return static_cast<std::uint32_t>(std::min({kMaxBatchItems, reachable, (items + 1) / 2}));
 }
 
 }  // namespace
@@ -70,40 +74,37 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const RenderSettin
   constants_.tileShift = entryNodes_.shift;
   constants_.tilesAcross = entryNodes_.across;
 
-  buffers_ = uploadScene(device, scene, variant_.sceneUse);
-  buffers_.push_back(vulkan::Buffer::uploaded(device, "tiles", variant_.sceneUse,
-                                              std::as_bytes(std::span(entryNodes_.groups))));
+  sceneBuffers_ = uploadScene(device, scene, variant_.sceneUse);
+  sceneBuffers_.push_back(vulkan::Buffer::uploaded(device, "tiles", variant_.sceneUse,
+                                                   std::as_bytes(std::span(entryNodes_.groups))));
   const std::vector<float> noTable(4);
-  buffers_.push_back(vulkan::Buffer::uploaded(device, "pixel filter", vulkan::BufferUse::kStorage,
-                                              std::as_bytes(std::span(filter.empty() ? noTable : filter))));
-  const std::size_t workItems = takesCenters_ ? 1 : capacity_;
-  buffers_.push_back(vulkan::Buffer::shared(device, "work items", workItems * sizeof(gpu::WorkItem)));
-  buffers_.push_back(vulkan::Buffer::shared(device, "results", capacity_ * sizeof(gpu::WorkResult)));
-  buffers_.push_back(vulkan::Buffer::shared(device, "unfinished work", sizeof(gpu::WorkState)));
-  buffers_.push_back(vulkan::Buffer::shared(device, "dispatch status", sizeof(gpu::DispatchStatus)));
-  if (variant_.finishesItems) direct_.emplace(makeShader(false));
+  sceneBuffers_.push_back(
+      vulkan::Buffer::uploaded(device, "pixel filter", vulkan::BufferUse::kStorage,
+                               std::as_bytes(std::span(filter.empty() ? noTable : filter))));
+  for (Batch& batch : batches_) {
+    batch = makeBatch(device, capacity_, !takesCenters_);
+    makeShader(batch, !variant_.finishesItems);
+  }
 }
 
 std::size_t Tracer::deviceBytes() const {
-  std::size_t bytes = 0;
-  for (const vulkan::Buffer& buffer : buffers_) bytes += buffer.size();
-  return bytes;
+  std::size_t sum = 0;
+  for (const vulkan::Buffer& buffer : sceneBuffers_) sum += buffer.size();
+  for (const Batch& batch : batches_) sum += bytes(batch);
+  return sum;
 }
 
 bool Tracer::run(const SamplePass& pass, std::uint64_t first, const TakeResults& takeResults,
                  const Stop& stop) {
-  using Clock = std::chrono::steady_clock;
-  while (first < pass.items) {
-    if (stop()) return false;
-    const std::uint32_t count = batchCount(pass.items, first);
-    const Clock::time_point start = Clock::now();
-    const std::uint32_t traced = makeBatch(pass, first, count);
-    if (traced > 0) dispatchUntilFinished(traced);
-    takeBatch(first, count, takeResults);
-    adaptBatch(std::chrono::duration<double>(Clock::now() - start).count());
-    first += count;
+  bool isStopped = false;
+  for (;;) {
+    while (!isStopped && first < pass.items && canBegin()) {
+      isStopped = stop();
+      if (!isStopped) first += begin(pass, first);
+    }
+    if (isIdle()) return !isStopped;
+    take(takeResults);
   }
-  return true;
 }
 
 // The items of the next batch. Of pixels' centres it ends with a row of units, if it holds one, so that no
@@ -118,7 +119,37 @@ std::uint32_t Tracer::batchCount(std::uint64_t items, std::uint64_t first) const
   return static_cast<std::uint32_t>((wholeRows > first ? wholeRows : end) - first);
 }
 
-void Tracer::adaptBatch(double seconds) {
+std::uint32_t Tracer::begin(const SamplePass& pass, std::uint64_t first) {
+  assert(canBegin());
+  Batch& batch = batchAt(begun_++);
+  batch.begin = Batch::Clock::now();
+  batch.first = first;
+  batch.count = batchCount(pass.items, first);
+  if (takesCenters_) {
+    batch.traced = batch.count;
+    batch.samples = batch.count;
+  } else {
+    listItems(pass, batch);
+  }
+  if (batch.traced > 0) start(batch, batch.direct ? *batch.direct : *batch.resumable, gpu::kModeAll);
+  return batch.count;
+}
+
+void Tracer::take(const TakeResults& takeResults) {
+  assert(!isIdle());
+  Batch& batch = batchAt(taken_);
+  if (batch.traced > 0) finish(batch);
+  ++taken_;
+  counts_.samples += batch.samples;
+  counts_.skippedSamples += batch.skippedSamples;
+  takeResultsOf(batch, takeResults);
+  adaptBatch(batch.begin);
+}
+
+void Tracer::adaptBatch(Batch::Clock::time_point begin) {
+  const Batch::Clock::time_point now = Batch::Clock::now();
+  const double seconds = std::chrono::duration<double>(now - std::max(begin, lastTaken_)).count();
+  lastTaken_ = now;
   // The time of the first batch says nothing, since drivers compile the shader in it.
   const double factor = isWarm_ ? std::clamp(kBatchSeconds / seconds, 0.25, 4.0) : 4.0;
   batchItems_ =
@@ -126,95 +157,95 @@ void Tracer::adaptBatch(double seconds) {
   isWarm_ = true;
 }
 
-// Returns the number of items to trace.
-std::uint32_t Tracer::makeBatch(const SamplePass& pass, std::uint64_t first, std::uint32_t count) {
-  constants_.firstPixel = static_cast<gpu::uint>(first);
-  if (takesCenters_) {
-    counts_.samples += count;
-    return count;
-  }
-  const std::span items(reinterpret_cast<gpu::WorkItem*>(buffers_[gpu::kBindingWork].bytes()), count);
-  copyItems(pass, first, items);
-  traced_.clear();
-  std::uint32_t traced = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (skips(items[i].pixel)) {
-      counts_.skippedSamples += items[i].count;
+// Lists the batch's items for the device, without those that show nothing.
+void Tracer::listItems(const SamplePass& pass, Batch& batch) const {
+  batch.samples = 0;
+  batch.skippedSamples = 0;
+  batch.traced = 0;
+  batch.tracedItems.clear();
+  const std::span<gpu::WorkItem> list = items(batch);
+  copyItems(pass, batch.first, list);
+  for (std::uint32_t i = 0; i < batch.count; ++i) {
+    if (skips(list[i].pixel)) {
+      batch.skippedSamples += list[i].count;
       continue;
     }
-    counts_.samples += items[i].count;
-    if (variant_.skipsEmptyTiles) traced_.push_back(i);
-    items[traced++] = items[i];
+    batch.samples += list[i].count;
+    if (variant_.skipsEmptyTiles) batch.tracedItems.push_back(i);
+    list[batch.traced++] = list[i];
   }
-  return traced;
 }
 
-void Tracer::takeBatch(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults) {
-  const auto* results = reinterpret_cast<const gpu::WorkResult*>(buffers_[gpu::kBindingResults].bytes());
+void Tracer::takeResultsOf(Batch& batch, const TakeResults& takeResults) const {
+  const gpu::WorkResult* next = results(batch);
   if (variant_.skipsEmptyTiles) {
-    allResults_.assign(count, {});
-    for (const std::uint32_t item : traced_) allResults_[item] = *results++;
-    results = allResults_.data();
+    batch.allResults.assign(batch.count, {});
+    for (const std::uint32_t item : batch.tracedItems) batch.allResults[item] = *next++;
+    next = batch.allResults.data();
   }
-  takeResults(first, {results, count});
+  takeResults(batch.first, {next, batch.count});
 }
 
-vulkan::ComputeShader Tracer::makeShader(bool resumable) {
-  if (resumable) {
-    direct_.reset();  // it is bound to the buffer that is replaced here, and the scene turned out to need the
-                      // other one
-    buffers_[gpu::kBindingStates] =
-        vulkan::Buffer::shared(device_, "unfinished work", capacity_ * sizeof(gpu::WorkState));
-  }
-  if (resumable) variant_.raysPerLane = 1;
+void Tracer::makeShader(Batch& batch, bool resumable) {
+  batch.direct.reset();  // it is bound to the buffer that is replaced here
+  if (resumable) makeStates(device_, capacity_, batch);
+  batch.raysPerLane = resumable ? 1 : variant_.raysPerLane;
   variant_.specialization[gpu::kSpecResumable] = resumable ? 1 : 0;
-  return {device_, resumable ? variant_.resumable : variant_.shader, variant_.specialization, buffers_,
-          sizeof constants_};
+  (resumable ? batch.resumable : batch.direct)
+      .emplace(device_, resumable ? variant_.resumable : variant_.shader, variant_.specialization,
+               sceneBuffers_, sizeof constants_, batch.buffers);
 }
 
 // How many invocations a batch takes.
-std::uint32_t Tracer::lanes(std::uint32_t count) const {
-  if (!takesCenters_) return count;
-  const PixelBlock block = unitBlock(variant_.raysPerLane);
-  const std::uint32_t firstRow = constants_.firstPixel / constants_.areaWidth / block.height;
-  const std::uint32_t lastRow = (constants_.firstPixel + count - 1) / constants_.areaWidth / block.height;
+std::uint32_t Tracer::lanes(const Batch& batch) const {
+  if (!takesCenters_) return batch.traced;
+  const PixelBlock block = unitBlock(batch.raysPerLane);
+  const auto first = static_cast<std::uint32_t>(batch.first);
+  const std::uint32_t firstRow = first / constants_.areaWidth / block.height;
+  const std::uint32_t lastRow = (first + batch.count - 1) / constants_.areaWidth / block.height;
   const std::uint32_t across = (constants_.areaWidth + block.width - 1) / block.width;
   return (lastRow - firstRow + 1) * across * gpu::kLanesPerUnit;
 }
 
-gpu::DispatchStatus Tracer::dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode) {
-  auto* status = reinterpret_cast<gpu::DispatchStatus*>(buffers_[gpu::kBindingStatus].bytes());
-  *status = {};
-  constants_.itemCount = count;
+void Tracer::start(Batch& batch, vulkan::ComputeShader& shader, gpu::uint mode) {
+  status(batch) = {};
+  constants_.firstPixel = static_cast<gpu::uint>(batch.first);
+  constants_.itemCount = batch.traced;
   constants_.mode = mode;
-  shader.dispatch((lanes(count) + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
-                  std::as_bytes(std::span(&constants_, 1)));
-  ++counts_.dispatches;
-  counts_.shadowRays += status->shadowRays;
-  counts_.mirrorRays += status->mirrorRays;
-  counts_.skippedShadowRays += status->skippedShadowRays;
-  return *status;
+  shader.start((lanes(batch) + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
+               std::as_bytes(std::span(&constants_, 1)));
 }
 
-void Tracer::dispatchUntilFinished(std::uint32_t count) {
-  gpu::uint mode = gpu::kModeAll;
-  if (direct_) {
-    if (dispatch(*direct_, count, mode).unfinished == 0) return;
-    mode = gpu::kModeUnfinished;
+gpu::DispatchStatus Tracer::wait(Batch& batch, vulkan::ComputeShader& shader) {
+  shader.wait();
+  const gpu::DispatchStatus found = status(batch);
+  ++counts_.dispatches;
+  counts_.shadowRays += found.shadowRays;
+  counts_.mirrorRays += found.mirrorRays;
+  counts_.skippedShadowRays += found.skippedShadowRays;
+  return found;
+}
+
+// Waits for the batch and has the device resume what it left half done.
+void Tracer::finish(Batch& batch) {
+  std::uint32_t unfinishedBefore = batch.traced + 1;
+  if (batch.direct) {
+    if (wait(batch, *batch.direct).unfinished == 0) return;
+    // The scene turned out to need the other one.
+    makeShader(batch, true);
+    start(batch, *batch.resumable, gpu::kModeUnfinished);
   }
-  if (!resumable_) resumable_.emplace(makeShader(true));
-  std::uint32_t unfinishedBefore = count + 1;
   for (;;) {
-    const gpu::DispatchStatus status = dispatch(*resumable_, count, mode);
-    if (status.unfinished == 0) return;
-    if (status.stuck == status.unfinished && status.unfinished == unfinishedBefore) {
+    const gpu::DispatchStatus found = wait(batch, *batch.resumable);
+    if (found.unfinished == 0) return;
+    if (found.stuck == found.unfinished && found.unfinished == unfinishedBefore) {
       throw Error(ExitCode::kDevice,
-                  device_.description().name + " gives up " + std::to_string(status.stuck) +
+                  device_.description().name + " gives up " + std::to_string(found.stuck) +
                       " rays that pass too many surfaces or meet too many lights; a scene "
                       "where fewer overlap can be rendered, or another --device may do more");
     }
-    unfinishedBefore = status.unfinished;
-    mode = gpu::kModeResumed;
+    unfinishedBefore = found.unfinished;
+    start(batch, *batch.resumable, gpu::kModeResumed);
   }
 }
 

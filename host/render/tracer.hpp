@@ -1,17 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "bvh/gpu_scene.hpp"
+#include "render/batch.hpp"
 #include "render/entry_nodes.hpp"
 #include "render/settings.hpp"
 #include "render/trace_counts.hpp"
 #include "render/variant.hpp"
 #include "sampling/sample_pass.hpp"
-#include "vulkan/compute.hpp"
 
 namespace lavaray {
 
@@ -28,11 +28,20 @@ class Tracer {
   using TakeResults = std::function<void(std::uint64_t first, std::span<const gpu::WorkResult> results)>;
   using Stop = std::function<bool()>;
 
-  // Does the items of the pass from number `first` on, in their order, in batches of about a tenth of a
-  // second each, and has their results taken. Looks at `stop` before each batch and returns false if it was
-  // stopped. With one sample in each pixel's centre, item i is pixel i. Throws Error(kDevice) where the
-  // device fails or cannot finish a ray.
+  // Does the items of the pass from number `first` on, in their order, in batches, and has their results
+  // taken. Looks at `stop` before each batch; once that is true, it takes the results of what the device has
+  // been given, and returns false. Throws Error(kDevice) where the device fails or cannot finish a ray.
   bool run(const SamplePass& pass, std::uint64_t first, const TakeResults& takeResults, const Stop& stop);
+
+  // The steps of run(). The device has up to two batches, so that it traces one while the host takes the
+  // results of another and prepares the next.
+  [[nodiscard]] bool canBegin() const { return begun_ - taken_ < kBatchesInFlight; }
+  [[nodiscard]] bool isIdle() const { return begun_ == taken_; }
+  // Has the device trace the items of the pass from number `first` on, as many as take it some 10s of
+  // milliseconds, and returns how many. With one sample in each pixel's centre, item i is pixel i.
+  std::uint32_t begin(const SamplePass& pass, std::uint64_t first);
+  // Waits for the batch that was begun first, and has its results taken.
+  void take(const TakeResults& takeResults);
 
   [[nodiscard]] const TraceCounts& counts() const { return counts_; }
   // Whether nothing can be seen through a pixel of the area, so that its samples are not traced.
@@ -45,14 +54,18 @@ class Tracer {
   [[nodiscard]] std::size_t deviceBytes() const;
 
  private:
-  std::uint32_t makeBatch(const SamplePass& pass, std::uint64_t first, std::uint32_t count);
-  void takeBatch(std::uint64_t first, std::uint32_t count, const TakeResults& takeResults);
+  static constexpr std::size_t kBatchesInFlight = 2;
+
+  [[nodiscard]] Batch& batchAt(std::uint64_t number) { return batches_[number % kBatchesInFlight]; }
   [[nodiscard]] std::uint32_t batchCount(std::uint64_t items, std::uint64_t first) const;
-  [[nodiscard]] std::uint32_t lanes(std::uint32_t count) const;
-  void adaptBatch(double seconds);
-  void dispatchUntilFinished(std::uint32_t count);
-  gpu::DispatchStatus dispatch(vulkan::ComputeShader& shader, std::uint32_t count, gpu::uint mode);
-  vulkan::ComputeShader makeShader(bool resumable);
+  [[nodiscard]] std::uint32_t lanes(const Batch& batch) const;
+  void listItems(const SamplePass& pass, Batch& batch) const;
+  void takeResultsOf(Batch& batch, const TakeResults& takeResults) const;
+  void adaptBatch(Batch::Clock::time_point begin);
+  void start(Batch& batch, vulkan::ComputeShader& shader, gpu::uint mode);
+  gpu::DispatchStatus wait(Batch& batch, vulkan::ComputeShader& shader);
+  void finish(Batch& batch);
+  void makeShader(Batch& batch, bool resumable);
 
   vulkan::Device& device_;
   PipelineVariant variant_;
@@ -60,16 +73,14 @@ class Tracer {
   EntryNodes entryNodes_;
   std::uint64_t skippedPixels_ = 0;
   gpu::DispatchConstants constants_{};
-  std::uint32_t capacity_;               // items of the largest batch
-  double batchItems_;                    // of the next batch
-  bool isWarm_ = false;                  // after the first batch
-  std::vector<vulkan::Buffer> buffers_;  // by binding
-  // One of the two: the first if the variant finishes items, until it gives up on one.
-  std::optional<vulkan::ComputeShader> direct_;
-  std::optional<vulkan::ComputeShader> resumable_;
-  // Of a batch with skipped tiles: the numbers of the items that are traced, and the results of all.
-  std::vector<std::uint32_t> traced_;
-  std::vector<gpu::WorkResult> allResults_;
+  std::uint32_t capacity_;  // items of the largest batch
+  double batchItems_;       // of the next batch
+  bool isWarm_ = false;     // after the first batch
+  Batch::Clock::time_point lastTaken_;
+  std::vector<vulkan::Buffer> sceneBuffers_;     // by binding
+  std::array<Batch, kBatchesInFlight> batches_;  // go first, as the device may work with all of these
+  std::uint64_t begun_ = 0;                      // batches
+  std::uint64_t taken_ = 0;
   TraceCounts counts_;
 };
 

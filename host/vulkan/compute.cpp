@@ -16,20 +16,23 @@ VkDescriptorType descriptorType(const Buffer& buffer) {
 
 ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
                              std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
-                             std::size_t pushConstantSize)
+                             std::size_t pushConstantSize, std::span<const Buffer> ownBuffers)
     : device_(&device) {
+  std::vector<const Buffer*> all;
+  for (const Buffer& buffer : buffers) all.push_back(&buffer);
+  for (const Buffer& buffer : ownBuffers) all.push_back(&buffer);
   std::vector<VkDescriptorType> bindings;
-  for (const Buffer& buffer : buffers) bindings.push_back(descriptorType(buffer));
+  for (const Buffer* buffer : all) bindings.push_back(descriptorType(*buffer));
   pipeline_ = device.pipelines().get({spirv, specialization, bindings, pushConstantSize});
-  createSet(buffers);
+  createSet(all);
   work_ = std::make_unique<Submission>(device);
 }
 
-void ComputeShader::createSet(std::span<const Buffer> buffers) {
+void ComputeShader::createSet(std::span<const Buffer* const> buffers) {
   const auto count = static_cast<std::uint32_t>(buffers.size());
   const std::string what = "for the shader's " + std::to_string(count) + " buffers";
   std::vector<VkDescriptorPoolSize> sizes;
-  for (const Buffer& buffer : buffers) sizes.push_back({descriptorType(buffer), 1});
+  for (const Buffer* buffer : buffers) sizes.push_back({descriptorType(*buffer), 1});
   VkDescriptorPoolCreateInfo poolInfo{};
   poolInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
   poolInfo.maxSets = 1;
@@ -51,13 +54,13 @@ void ComputeShader::createSet(std::span<const Buffer> buffers) {
   std::vector<VkBufferView> views(count);
   std::vector<VkWriteDescriptorSet> writes(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    ranges[i] = {buffers[i].get(), 0, VK_WHOLE_SIZE};
-    views[i] = buffers[i].view();
+    ranges[i] = {buffers[i]->get(), 0, VK_WHOLE_SIZE};
+    views[i] = buffers[i]->view();
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     writes[i].dstSet = set_;
     writes[i].dstBinding = i;
     writes[i].descriptorCount = 1;
-    writes[i].descriptorType = descriptorType(buffers[i]);
+    writes[i].descriptorType = descriptorType(*buffers[i]);
     writes[i].pBufferInfo = &ranges[i];
     writes[i].pTexelBufferView = &views[i];
   }

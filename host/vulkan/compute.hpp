@@ -9,14 +9,15 @@
 
 namespace lavaray::vulkan {
 
-// A compute shader with its buffers bound, ready to dispatch. Binding i of descriptor set 0 is buffers[i];
-// specialization constant i is specialization[i] (0 or 1 for a bool).
+// A compute shader with its buffers bound, ready to dispatch. Binding i of descriptor set 0 is buffers[i],
+// and ownBuffers follow; specialization constant i is specialization[i] (0 or 1 for a bool).
 class ComputeShader {
  public:
-  // `buffers` must outlive the shader, and so its work; their use decides the bindings' descriptor types.
+  // The buffers must outlive the shader, and so its work; their use decides the bindings' descriptor types.
+  // Several shaders may share the first ones.
   ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
                 std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
-                std::size_t pushConstantSize);
+                std::size_t pushConstantSize, std::span<const Buffer> ownBuffers = {});
 
   // Has the device run `groups` work groups, after all that it was given before.
   void start(std::uint32_t groups, std::span<const std::byte> pushConstants);
@@ -26,7 +27,7 @@ class ComputeShader {
   void dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants);
 
  private:
-  void createSet(std::span<const Buffer> buffers);
+  void createSet(std::span<const Buffer* const> buffers);
 
   Device* device_;
   std::shared_ptr<const Pipeline> pipeline_;
