@@ -60,12 +60,24 @@ Json samplingJson(const RenderStatistics& render) {
           {"estimatedRmse", render.estimatedError > 0.0 ? Json(render.estimatedError) : Json()}};
 }
 
+Json activityJson(const vulkan::Activity& activity) {
+  Json spans = Json::array();
+  for (const vulkan::SubmissionSpan& span : activity.first)
+    spans.push_back({span.submitted, span.begin, span.end, span.waitBegin, span.waitEnd});
+  return {{"clock", activity.byDeviceClock ? "device" : "host"},
+          {"seconds", activity.seconds},
+          {"deviceIdleSeconds", activity.deviceIdleSeconds},
+          {"hostWaitSeconds", activity.hostWaitSeconds},
+          {"firstDispatches", spans}};
+}
+
 Json deviceJson(const vulkan::DeviceDescription& device, const RenderStatistics& render) {
   return {{"name", device.name},
           {"kind", device.kind},
           {"driver", device.driver},
           {"bufferBytes", render.deviceBytes},
-          {"dispatches", render.counts.dispatches}};
+          {"dispatches", render.counts.dispatches},
+          {"activity", activityJson(render.activity)}};
 }
 
 Json timesJson(const StepTimes& times) {

@@ -38,6 +38,7 @@ RenderSettings renderSettings(const Options& options, const ImageSize& size, con
   settings.crop = needsWhole(options) ? Rectangle{0, 0, size.width, size.height} : part;
   settings.keepsPicture = keepsPicture(options);
   settings.countRays = options.stats || !options.json.empty();
+  settings.recordTimes = settings.countRays;
   return settings;
 }
 

@@ -37,6 +37,12 @@ void printRender(std::ostream& out, const RenderStatistics& render) {
   }
 }
 
+void printActivity(std::ostream& out, const vulkan::Activity& activity) {
+  out << "  idle            " << 100.0 * activity.deviceIdleShare() << " % of " << activity.seconds
+      << " s, by " << (activity.byDeviceClock ? "its own clock" : "the host's clock")
+      << "\n  host waits      " << 100.0 * activity.hostWaitShare() << " %\n";
+}
+
 void printTimes(std::ostream& out, const StepTimes& times) {
   const auto print = [&](const std::string& name, StepTimes::Clock::duration duration) {
     out << "  " << std::left << std::setw(18) << name << std::right << std::setw(9) << milliseconds(duration)
@@ -79,8 +85,9 @@ void printReport(std::ostream& out, const RunReport& report) {
   printRender(out, report.render);
   out << "device\n  name            " << report.device.name << "\n  driver          " << report.device.driver
       << "\n  buffers         " << mebibytes(report.render.deviceBytes) << " MiB\n  dispatches      "
-      << report.render.counts.dispatches << "\nmemory\n  process, peak   "
-      << mebibytes(report.peakMemoryBytes) << " MiB\n";
+      << report.render.counts.dispatches << '\n';
+  printActivity(out, report.render.activity);
+  out << "memory\n  process, peak   " << mebibytes(report.peakMemoryBytes) << " MiB\n";
   printTimes(out, report.times);
 }
 

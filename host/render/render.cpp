@@ -155,6 +155,7 @@ RenderStatistics Render::statistics() const {
   result.maxSamples = std::max(sampling_->sums.maxSamples(), 1U);
   result.estimatedError = estimatedError();
   result.counts = tracer_->counts();
+  result.activity = tracer_->activity();
   result.deviceBytes = tracer_->deviceBytes();
   result.largestMeasure = double{largestMeasure()};
   return result;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "render/trace_counts.hpp"
+#include "vulkan/activity.hpp"
 
 namespace lavaray {
 
@@ -24,6 +25,7 @@ struct RenderStatistics {
   std::uint32_t maxSamples = 1;     // of a pixel
   std::uint64_t skippedPixels = 0;  // known to be black without a sample
   TraceCounts counts;               // of this process
+  vulkan::Activity activity;        // if times were recorded
   std::size_t deviceBytes = 0;
   double largestMeasure = 0.0;  // of a pixel, where the view is a measure: that is shown as 1
 };

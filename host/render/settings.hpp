@@ -30,6 +30,7 @@ struct RenderSettings {
   View view = View::kColor;
   bool asData = false;  // of the views normal and object the numbers behind them, see gpu::kSpecAsData
   bool countRays = false;
+  bool recordTimes = false;  // when the device was busy and the host waited
   // Without it there is no picture to look at, to keep in a film or to resume: each row is handed over as
   // soon as it is complete. For one sample a pixel and a view that is no measure.
   bool keepsPicture = true;

@@ -65,7 +65,8 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const RenderSettin
       entryNodes_(entryNodes(scene, settings, area)),
       constants_(dispatchConstants(scene, settings, area)),
       capacity_(capacityFor(device, items)),
-      batchItems_(firstBatchItems(variant_)) {
+      batchItems_(firstBatchItems(variant_)),
+      recordsTimes_(settings.recordTimes) {
   if (variant_.skipsEmptyTiles)
     skippedPixels_ = pixelsOfEmptyTiles(entryNodes_, {area.width(), area.height()});
   const std::vector<float> filter = filterTable(settings.filter);
@@ -191,9 +192,10 @@ void Tracer::makeShader(Batch& batch, bool resumable) {
   if (resumable) makeStates(device_, capacity_, batch);
   batch.raysPerLane = resumable ? 1 : variant_.raysPerLane;
   variant_.specialization[gpu::kSpecResumable] = resumable ? 1 : 0;
-  (resumable ? batch.resumable : batch.direct)
-      .emplace(device_, resumable ? variant_.resumable : variant_.shader, variant_.specialization,
-               sceneBuffers_, sizeof constants_, batch.buffers);
+  std::optional<vulkan::ComputeShader>& shader = resumable ? batch.resumable : batch.direct;
+  shader.emplace(device_, resumable ? variant_.resumable : variant_.shader, variant_.specialization,
+                 sceneBuffers_, sizeof constants_, batch.buffers);
+  if (recordsTimes_) shader->recordTimes();
 }
 
 // How many invocations a batch takes.
@@ -218,6 +220,7 @@ void Tracer::start(Batch& batch, vulkan::ComputeShader& shader, gpu::uint mode) 
 
 gpu::DispatchStatus Tracer::wait(Batch& batch, vulkan::ComputeShader& shader) {
   shader.wait();
+  if (recordsTimes_) activity_.add(shader.times());
   const gpu::DispatchStatus found = status(batch);
   ++counts_.dispatches;
   counts_.shadowRays += found.shadowRays;

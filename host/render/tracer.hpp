@@ -44,6 +44,8 @@ class Tracer {
   void take(const TakeResults& takeResults);
 
   [[nodiscard]] const TraceCounts& counts() const { return counts_; }
+  // Of all dispatches so far, if the settings have times recorded.
+  [[nodiscard]] vulkan::Activity activity() const { return activity_.activity(); }
   // Whether nothing can be seen through a pixel of the area, so that its samples are not traced.
   [[nodiscard]] bool skips(std::uint64_t pixel) const {
     return variant_.skipsEmptyTiles &&
@@ -82,6 +84,8 @@ class Tracer {
   std::uint64_t begun_ = 0;                      // batches
   std::uint64_t taken_ = 0;
   TraceCounts counts_;
+  bool recordsTimes_;
+  vulkan::ActivityLog activity_;
 };
 
 }  // namespace lavaray

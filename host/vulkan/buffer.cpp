@@ -92,7 +92,7 @@ Buffer Buffer::shared(Device& device, const std::string& name, std::size_t size)
           name,
           size,
           BufferUse::kStorage,
-          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
           std::array{kHostCached, kOnHost}};
 }
 

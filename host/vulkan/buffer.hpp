@@ -18,7 +18,7 @@ inline constexpr std::size_t kTexelBytes = 16;
 // A buffer and its memory. `name` is what error messages call it.
 class Buffer {
  public:
-  // A storage buffer that the host reads and writes through bytes().
+  // A storage buffer, or one to copy into, that the host reads and writes through bytes().
   static Buffer shared(Device& device, const std::string& name, std::size_t size);
   // A buffer for the device to read, in the device's own memory, filled with `content`, which must not be
   // empty. Throws Error(kDevice) naming size and limit if it is more than a shader can reach.

@@ -23,7 +23,10 @@ class ComputeShader {
   void start(std::uint32_t groups, std::span<const std::byte> pushConstants);
   // Returns once they have run and the host can read what they wrote. Then the shader can be started again.
   void wait();
-  // Both.
+  // See Submission.
+  void recordTimes() { work_->recordTimes(); }
+  [[nodiscard]] const SubmissionTimes& times() const { return work_->times(); }
+  // Starts and waits.
   void dispatch(std::uint32_t groups, std::span<const std::byte> pushConstants);
 
  private:

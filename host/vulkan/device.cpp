@@ -7,12 +7,17 @@
 namespace lavaray::vulkan {
 namespace {
 
-// Prefers a family without graphics, whose work does not queue behind a desktop's drawing.
-std::uint32_t computeFamily(VkPhysicalDevice device) {
+std::vector<VkQueueFamilyProperties> queueFamilies(VkPhysicalDevice device) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  return families;
+}
+
+// Prefers a family without graphics, whose work does not queue behind a desktop's drawing.
+std::uint32_t computeFamily(const std::vector<VkQueueFamilyProperties>& families) {
+  const auto count = static_cast<std::uint32_t>(families.size());
   std::uint32_t chosen = count;
   for (std::uint32_t i = 0; i < count; ++i) {
     const VkQueueFlags flags = families[i].queueFlags;
@@ -41,13 +46,17 @@ VkDevice createDevice(const DeviceDescription& description, std::uint32_t family
 }  // namespace
 
 Device::Device(const DeviceDescription& description) : description_(description) {
+  const std::vector<VkQueueFamilyProperties> families = queueFamilies(description.handle);
+  queueFamily_ = computeFamily(families);
   VkPhysicalDeviceProperties properties{};
   vkGetPhysicalDeviceProperties(description.handle, &properties);
-  limits_ = {properties.limits.maxStorageBufferRange, properties.limits.maxTexelBufferElements,
-             properties.limits.maxComputeWorkGroupCount[0]};
+  const bool hasLongTimestamps = families[queueFamily_].timestampValidBits == 64;
+  limits_ = {.storageBufferRange = properties.limits.maxStorageBufferRange,
+             .texelBufferElements = properties.limits.maxTexelBufferElements,
+             .workGroupsX = properties.limits.maxComputeWorkGroupCount[0],
+             .timestampSeconds = hasLongTimestamps ? 1e-9 * double{properties.limits.timestampPeriod} : 0.0};
   vkGetPhysicalDeviceMemoryProperties(description.handle, &memory_);
 
-  queueFamily_ = computeFamily(description.handle);
   device_ = createDevice(description, queueFamily_);
   vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
   pipelines_.emplace(device_);

@@ -13,6 +13,7 @@ struct DeviceLimits {
   VkDeviceSize storageBufferRange;  // bytes
   std::uint32_t texelBufferElements;
   std::uint32_t workGroupsX;  // of one dispatch
+  double timestampSeconds;    // of a tick; 0 where the queue has none, or such as soon wrap around
 };
 
 // A logical device with one compute queue, to which Submissions give work.

@@ -25,7 +25,8 @@ namespace lavaray::vulkan {
   X(vkDestroyCommandPool) X(vkAllocateCommandBuffers) X(vkBeginCommandBuffer) X(vkEndCommandBuffer) \
   X(vkCmdBindPipeline) X(vkCmdBindDescriptorSets) X(vkCmdPushConstants) X(vkCmdDispatch) \
   X(vkCmdPipelineBarrier) X(vkCmdCopyBuffer) X(vkQueueSubmit) X(vkCreateFence) X(vkDestroyFence) \
-  X(vkWaitForFences) X(vkResetFences)
+  X(vkWaitForFences) X(vkResetFences) X(vkCreateQueryPool) X(vkDestroyQueryPool) X(vkCmdResetQueryPool) \
+  X(vkCmdWriteTimestamp) X(vkCmdCopyQueryPoolResults)
 // clang-format on
 
 // Named as in the specification, so that a call reads as it does everywhere.

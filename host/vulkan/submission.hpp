@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
-#include "vulkan/device.hpp"
+#include "vulkan/activity.hpp"
+#include "vulkan/buffer.hpp"
 
 namespace lavaray::vulkan {
 
@@ -20,12 +22,22 @@ class Submission {
   // Returns once the work is done.
   void wait();
 
+  // To be called before the first submit() if times() is wanted.
+  void recordTimes();
+  // Of the work that was waited for last.
+  [[nodiscard]] const SubmissionTimes& times() const { return times_; }
+
  private:
+  void writeTimestamps();
+
   Device& device_;
   Handle<VkCommandPool, &vkDestroyCommandPool> pool_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;  // freed with the pool
   Handle<VkFence, &vkDestroyFence> fence_;
-  bool isPending_ = false;  // submitted and not yet waited for
+  bool isPending_ = false;       // submitted and not yet waited for
+  std::optional<Buffer> ticks_;  // these two: where times are recorded
+  Handle<VkQueryPool, &vkDestroyQueryPool> timestamps_;
+  SubmissionTimes times_;
 };
 
 }  // namespace lavaray::vulkan

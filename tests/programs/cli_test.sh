@@ -109,6 +109,11 @@ json_has "s['sampling'] == dict(stopped='finished', samplesPerPixel=4, mostSampl
 json_has "s['rays']['camera'] == $(awk '$1 == "camera" && $2 != "rays" { print $2 }' stderr) and s['rays']['mirror'] == 0"
 json_has "s['rays']['shadow'] == $(awk '$1 == "shadow" && NF == 2 { print $2 }' stderr) > 0"
 json_has "s['bvh']['primitives'] > 0 and s['device']['name'] and s['memory']['peakBytes'] > 1e6"
+json_has "s['device']['activity']['clock'] in ('device', 'host') and len(s['device']['activity']['firstDispatches']) == s['device']['dispatches']"
+json_has "all(submitted <= begin + 1e-3 and begin <= end <= done + 1e-3 and waits <= done for submitted, begin, end, waits, done in s['device']['activity']['firstDispatches'])"
+json_has "0 <= s['device']['activity']['deviceIdleSeconds'] < s['device']['activity']['seconds'] < s['seconds']"
+expect 0 '' "$(dirname "${BASH_SOURCE[0]}")/../../tools/plot-activity" stats.json stats.svg
+holds 'plot-activity draws each dispatch' python3 -c "import json, xml.dom.minidom as dom; boxes = dom.parse('stats.svg').getElementsByTagName('rect'); assert len(boxes) == 1 + 2 * json.load(open('stats.json'))['device']['dispatches']"
 json_has "abs(sum(step['seconds'] for step in s['steps']) - s['seconds']) < 1e-6 < s['seconds']"
 expect 0 '' "$lavaray" "$scene" $small --target-error 0.05 --json stats.json -o stats.png
 json_has "0 < s['sampling']['estimatedRmse'] <= 0.05"

@@ -45,6 +45,7 @@ CALLS = [
     ('vkQueueSubmit', LOST, f'submit work to {DEVICE}'),
     ('vkWaitForFences', LOST, f'wait for {DEVICE}'),
     ('vkResetFences', NO_DEVICE_MEMORY, f'reset the fence of {DEVICE}'),
+    ('vkCreateQueryPool', NO_DEVICE_MEMORY, f'make a query pool for {DEVICE}'),
 ]
 
 
@@ -63,7 +64,8 @@ def main():
     picture = work / 'picture.png'
 
     def render(function, result):
-        return subprocess.run([programs / 'lavaray', '-q', scenes / 'torus.txt', '--width', '16', '-o', picture],
+        return subprocess.run([programs / 'lavaray', '-q', '--json', work / 'stats.json', scenes / 'torus.txt', '--width', '16',
+                               '-o', picture],
                               env=dict(variables, LAVARAY_FAILING_FUNCTION=function, LAVARAY_RESULT=str(result)),
                               capture_output=True, text=True, timeout=120)
 
