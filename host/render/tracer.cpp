@@ -144,17 +144,21 @@ void Tracer::take(const TakeResults& takeResults) {
   counts_.samples += batch.samples;
   counts_.skippedSamples += batch.skippedSamples;
   takeResultsOf(batch, takeResults);
-  adaptBatch(batch.begin);
+  adaptBatch(batch);
 }
 
-void Tracer::adaptBatch(Batch::Clock::time_point begin) {
+// Sets the size of the next batch by the time of one that is done. Others of another size may be under way.
+void Tracer::adaptBatch(const Batch& batch) {
   const Batch::Clock::time_point now = Batch::Clock::now();
-  const double seconds = std::chrono::duration<double>(now - std::max(begin, lastTaken_)).count();
+  const double seconds = std::chrono::duration<double>(now - std::max(batch.begin, lastTaken_)).count();
   lastTaken_ = now;
-  // The time of the first batch says nothing, since drivers compile the shader in it.
-  const double factor = isWarm_ ? std::clamp(kBatchSeconds / seconds, 0.25, 4.0) : 4.0;
-  batchItems_ =
-      std::clamp(batchItems_ * factor, double{gpu::kWorkGroupSize}, static_cast<double>(kMaxBatchItems));
+  // The time of the first batch says nothing, since drivers compile the shader in it; nor does that of one that
+  // the end of a pass made short.
+  const bool isShort = 2.0 * batch.count < batchItems_ && seconds < kBatchSeconds;
+  if (isWarm_ && isShort) return;
+  const double items = isWarm_ ? batch.count * kBatchSeconds / seconds : 4.0 * batchItems_;
+  const double wanted = std::clamp(items, 0.25 * batchItems_, 4.0 * batchItems_);
+  batchItems_ = std::clamp(wanted, double{gpu::kWorkGroupSize}, static_cast<double>(kMaxBatchItems));
   isWarm_ = true;
 }
 

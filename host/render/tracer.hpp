@@ -63,7 +63,7 @@ class Tracer {
   [[nodiscard]] std::uint32_t lanes(const Batch& batch) const;
   void listItems(const SamplePass& pass, Batch& batch) const;
   void takeResultsOf(Batch& batch, const TakeResults& takeResults) const;
-  void adaptBatch(Batch::Clock::time_point begin);
+  void adaptBatch(const Batch& batch);
   void start(Batch& batch, vulkan::ComputeShader& shader, gpu::uint mode);
   gpu::DispatchStatus wait(Batch& batch, vulkan::ComputeShader& shader);
   void finish(Batch& batch);
