@@ -65,6 +65,7 @@ bool hasItems(SamplingProgress& progress) {
 void add(SamplingProgress& progress, std::span<const gpu::WorkResult> results) {
   progress.sums.add(progress.passes.front(), progress.itemsDone, results);
   progress.itemsDone += results.size();
+  if (progress.plan) progress.plan->advance(progress.itemsDone, progress.sums.halves());
   const bool isLastDone = progress.passes.size() == 1 && progress.itemsDone == progress.passes.front().items;
   if (isLastDone && !progress.plan) append(progress, passAfterLast(progress));
   dropDonePasses(progress);
@@ -123,7 +124,7 @@ void resumeFrom(FilmReader& film, SamplingProgress& progress) {
     // A pass cannot be planned again from sums that already have some of its results, so what is left of it
     // is in the film.
     progress.plan->resumeFrom(progress.sums.halves());
-    std::vector<gpu::WorkItem> pending(header.itemsPending);
+    WorkList pending(header.itemsPending);
     film.readItems(std::as_writable_bytes(std::span(pending)));
     progress.passes.push_back(listedPass(std::move(pending)));
     progress.itemsDone = 0;

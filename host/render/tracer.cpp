@@ -108,11 +108,17 @@ bool Tracer::run(const SamplePass& pass, std::uint64_t first, const TakeResults&
   }
 }
 
-// The items of the next batch. Of pixels' centres it ends with a row of units, if it holds one, so that no
-// lane takes less than it can.
+// The items of the next batch. Towards the end of a pass batches get smaller, so that little is left to be
+// done with results when the device has nothing left to trace. Of pixels' centres it ends with a row of
+// units, if it holds one, so that no lane takes less than it can.
+//
+// Based on: Polychronopoulos and Kuck, "Guided Self-Scheduling: A Practical Scheduling Scheme for Parallel
+// Supercomputers", 1987.
 std::uint32_t Tracer::batchCount(std::uint64_t items, std::uint64_t first) const {
-  const std::uint64_t wanted = std::min(static_cast<std::uint64_t>(batchItems_), std::uint64_t{capacity_});
-  const std::uint64_t end = std::min(first + wanted, items);
+  const std::uint64_t left = items - first;
+  const auto usual = static_cast<std::uint64_t>(batchItems_);
+  const std::uint64_t wanted = std::min(usual, std::max(left / 2, usual / 8));
+  const std::uint64_t end = first + std::min({wanted, left, std::uint64_t{capacity_}});
   if (!takesCenters_ || end == items) return static_cast<std::uint32_t>(end - first);
   const std::uint64_t rowOfUnits =
       std::uint64_t{constants_.areaWidth} * unitBlock(variant_.raysPerLane).height;
@@ -152,8 +158,8 @@ void Tracer::adaptBatch(const Batch& batch) {
   const Batch::Clock::time_point now = Batch::Clock::now();
   const double seconds = std::chrono::duration<double>(now - std::max(batch.begin, lastTaken_)).count();
   lastTaken_ = now;
-  // The time of the first batch says nothing, since drivers compile the shader in it; nor does that of one that
-  // the end of a pass made short.
+  // The time of the first batch says nothing, since drivers compile the shader in it; nor does that of one
+  // that the end of a pass made short.
   const bool isShort = 2.0 * batch.count < batchItems_ && seconds < kBatchSeconds;
   if (isWarm_ && isShort) return;
   const double items = isWarm_ ? batch.count * kBatchSeconds / seconds : 4.0 * batchItems_;

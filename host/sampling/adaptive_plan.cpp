@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
+
+#include "base/parallel.hpp"
 
 namespace lavaray {
 namespace {
@@ -21,6 +24,10 @@ constexpr std::uint32_t kFirstSamples = 2;
 std::uint32_t smallObjectSamples(double targetError) {
   return std::bit_floor(static_cast<std::uint32_t>(std::clamp(0.08 / targetError, 2.0, 64.0)));
 }
+
+// Items are listed in bands of so many rows of pixels, one after the other, so that what the first bands tell
+// can be worked out while others are traced.
+constexpr int kBandRows = 16;
 
 // Aims lower than asked for: pixels that look too easy by chance are not looked at again, and the error of
 // narrow penumbrae converges ever more slowly, which makes the estimate up to 18 % too low.
@@ -53,6 +60,7 @@ AdaptivePlan::AdaptivePlan(const ImageSize& size, const AdaptiveGoal& goal,
       maxSampleStep_(std::min(sampleStepOf(goal.maxSamples), convergence::kSampleSteps - 1)),
       smallObjectSamples_(std::min(smallObjectSamples(goal.targetError), std::bit_floor(goal.maxSamples))),
       pixels_(static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height)),
+      bandPixels_(std::uint64_t{kBandRows} * static_cast<std::uint64_t>(size.width)),
       smallObjects_(std::move(smallObjects)),
       estimate_(size.width, size.height, goal.isStratified,
                 kNegligibleError * kNegligibleError * goal_ * goal_) {}
@@ -68,49 +76,89 @@ void AdaptivePlan::resumeFrom(std::span<const HalfSums> sums) {
     plannedSamples_ += kUsualGrowth * (pixel.halves[0].samples() + pixel.halves[1].samples());
 }
 
-std::vector<gpu::WorkItem> AdaptivePlan::firstItems() const {
-  std::vector<gpu::WorkItem> items;
-  items.reserve(pixels_);
-  for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel)
-    forEachItem(pixel, 0, kFirstSamples, [&](const gpu::WorkItem& item) { items.push_back(item); });
-  for (const std::uint64_t pixel : smallObjects_) {
-    forEachItem(pixel, kFirstSamples, smallObjectSamples_,
-                [&](const gpu::WorkItem& item) { items.push_back(item); });
-  }
+// Calls visit(band, pixels of the band) for all bands, on several threads.
+template <typename Visit>
+void AdaptivePlan::forEachBand(const Visit& visit) const {
+  const std::uint64_t bands = (pixels_ + bandPixels_ - 1) / bandPixels_;
+  parallelFor(bands, hardwareThreads(), [&](std::size_t band) {
+    visit(band, PixelRange{band * bandPixels_, std::min((band + 1) * bandPixels_, pixels_)});
+  });
+}
+
+// visitItems(pixels, visit) calls visit(item) for each item of a band: first to count them, then to list
+// them.
+template <typename VisitItems>
+WorkList AdaptivePlan::list(const VisitItems& visitItems) {
+  bandEnds_.assign((pixels_ + bandPixels_ - 1) / bandPixels_, 0);
+  forEachBand([&](std::size_t band, const PixelRange& pixels) {
+    std::uint64_t count = 0;
+    visitItems(pixels, [&](const gpu::WorkItem&) { ++count; });
+    bandEnds_[band] = count;
+  });
+  std::partial_sum(bandEnds_.begin(), bandEnds_.end(), bandEnds_.begin());
+  WorkList items;
+  items.resize(bandEnds_.back());
+  forEachBand([&](std::size_t band, const PixelRange& pixels) {
+    auto next = items.begin() + static_cast<std::ptrdiff_t>(band > 0 ? bandEnds_[band - 1] : 0);
+    visitItems(pixels, [&](const gpu::WorkItem& item) { *next++ = item; });
+  });
   return items;
 }
 
-// Items of one size follow one another, since a device traces neighbours together and waits for the largest.
-std::vector<gpu::WorkItem> AdaptivePlan::itemsOf(const SampleAllocation& allocation,
-                                                 std::span<HalfSums> sums) {
-  std::vector<gpu::WorkItem> items;
+WorkList AdaptivePlan::firstItems() {
+  return list([&](const PixelRange& pixels, const auto& visit) {
+    for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel)
+      forEachItem(pixel, 0, kFirstSamples, visit);
+    auto small = std::ranges::lower_bound(smallObjects_, pixels.begin);
+    for (; small != smallObjects_.end() && *small < pixels.end; ++small)
+      forEachItem(*small, kFirstSamples, smallObjectSamples_, visit);
+  });
+}
+
+// Within a band items of one size follow one another, since a device traces neighbours together and waits for
+// the largest.
+WorkList AdaptivePlan::itemsOf(const SampleAllocation& allocation) {
+  static_assert(gpu::kMaxSamplesPerItem == 2 * kFirstSamples && kMaxGrowth == 1);  // so there are two sizes
   const std::span<const PixelClass> classes = estimate_.classes();
-  const auto grown = [&](std::size_t pixel) {
-    return 1U << static_cast<unsigned>(classes[pixel].sampleStep() +
-                                       std::min(allocation.growth(classes[pixel]), kMaxGrowth));
-  };
-  for (std::uint32_t size = gpu::kMaxSamplesPerItem; size >= kFirstSamples; size /= 2) {
-    for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
-      forEachItem(pixel, 1U << static_cast<unsigned>(classes[pixel].sampleStep()), grown(pixel),
-                  [&](const gpu::WorkItem& item) {
-                    if (item.count == size) items.push_back(item);
-                  });
+  return list([&](const PixelRange& pixels, const auto& visit) {
+    std::vector<std::uint64_t> ofSmallItems;
+    for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel) {
+      const int growth = std::min(allocation.growth(classes[pixel]), kMaxGrowth);
+      if (growth == 0) continue;
+      const std::uint32_t samples = 1U << static_cast<unsigned>(classes[pixel].sampleStep());
+      if (samples < gpu::kMaxSamplesPerItem) {
+        ofSmallItems.push_back(pixel);
+      } else {
+        forEachItem(pixel, samples, samples << static_cast<unsigned>(growth), visit);
+      }
     }
-  }
-  for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
-    if (allocation.growth(classes[pixel]) == 0) continue;
-    sums[pixel].halves[0].add(sums[pixel].halves[1]);
-    sums[pixel].halves[1] = {};
-    estimate_.mark(pixel);
-  }
-  return items;
+    for (const std::uint64_t pixel : ofSmallItems)
+      forEachItem(pixel, kFirstSamples, 2 * kFirstSamples, visit);
+  });
+}
+
+void AdaptivePlan::beginGrowth(const SampleAllocation& allocation, std::span<HalfSums> sums) {
+  forEachBand([&](std::size_t /*band*/, const PixelRange& pixels) {
+    for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel) {
+      if (allocation.growth(estimate_.classes()[pixel]) == 0) continue;
+      sums[pixel].halves[0].add(sums[pixel].halves[1]);
+      sums[pixel].halves[1] = {};
+      estimate_.mark(pixel);
+    }
+  });
+}
+
+void AdaptivePlan::advance(std::uint64_t items, std::span<const HalfSums> sums) {
+  const auto band = std::ranges::upper_bound(bandEnds_, items) - bandEnds_.begin();
+  const std::uint64_t bands = static_cast<std::uint64_t>(band);
+  if (bands < bandEnds_.size()) estimate_.updateRows(sums, static_cast<int>(bands) * kBandRows);
 }
 
 SamplePass AdaptivePlan::nextPass(std::span<HalfSums> sums) {
   if (!hasStarted_) {
     hasStarted_ = true;
     estimate_.markAll();
-    std::vector<gpu::WorkItem> items = firstItems();
+    WorkList items = firstItems();
     for (const gpu::WorkItem& item : items) plannedSamples_ += kUsualGrowth * item.count;
     return listedPass(std::move(items));
   }
@@ -118,7 +166,10 @@ SamplePass AdaptivePlan::nextPass(std::span<HalfSums> sums) {
   const SampleAllocation allocation(estimate_.classes(), goal_ * goal_, maxSampleStep_);
   estimatedError_ = std::sqrt(allocation.squaredError());
   plannedSamples_ = allocation.samples();
-  return reachedTarget() ? SamplePass{} : listedPass(itemsOf(allocation, sums));
+  if (reachedTarget()) return {};
+  WorkList items = itemsOf(allocation);
+  beginGrowth(allocation, sums);
+  return listedPass(std::move(items));
 }
 
 }  // namespace lavaray

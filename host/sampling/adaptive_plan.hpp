@@ -34,6 +34,10 @@ class AdaptivePlan {
   // far becomes the first half.
   SamplePass nextPass(std::span<HalfSums> sums);
 
+  // Says that the results of that many of the pass's items, in their order, are in `sums`. What they tell of
+  // the error is then worked out at once, while others are traced, instead of by the next call of nextPass().
+  void advance(std::uint64_t items, std::span<const HalfSums> sums);
+
   // Goes on from the sums of an earlier plan for the same image.
   void resumeFrom(std::span<const HalfSums> sums);
 
@@ -44,8 +48,18 @@ class AdaptivePlan {
   [[nodiscard]] double plannedSamples() const { return plannedSamples_; }
 
  private:
-  [[nodiscard]] std::vector<gpu::WorkItem> firstItems() const;
-  std::vector<gpu::WorkItem> itemsOf(const SampleAllocation& allocation, std::span<HalfSums> sums);
+  struct PixelRange {
+    std::uint64_t begin;
+    std::uint64_t end;
+  };
+
+  WorkList firstItems();
+  WorkList itemsOf(const SampleAllocation& allocation);
+  void beginGrowth(const SampleAllocation& allocation, std::span<HalfSums> sums);
+  template <typename Visit>
+  void forEachBand(const Visit& visit) const;
+  template <typename VisitItems>
+  WorkList list(const VisitItems& visitItems);
 
   double goal_;
   int maxSampleStep_;
@@ -54,6 +68,9 @@ class AdaptivePlan {
   double plannedSamples_ = 0.0;
   bool hasStarted_ = false;
   std::uint64_t pixels_;
+  std::uint64_t bandPixels_;
+  // Items of the pass up to the end of each band; empty where the pass was not listed here.
+  std::vector<std::uint64_t> bandEnds_;
   std::vector<std::uint64_t> smallObjects_;
   ErrorEstimate estimate_;
 };

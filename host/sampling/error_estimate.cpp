@@ -88,17 +88,36 @@ void ErrorEstimate::markAll() {
 }
 
 void ErrorEstimate::update(std::span<const HalfSums> sums) {
-  const auto rows = static_cast<std::size_t>(height_);
-  const auto columns = static_cast<std::size_t>(width_);
-  parallelFor(rows, hardwareThreads(), [&](std::size_t y) {
-    for (std::size_t pixel = y * columns; pixel < (y + 1) * columns; ++pixel)
-      if (isMarked_[pixel] != 0) statistics_[pixel] = statistics(sums[pixel]);
-  });
-  parallelFor(rows, hardwareThreads(), [&](std::size_t y) { updateRow(static_cast<int>(y)); });
+  updateRows(sums, height_, hardwareThreads());
   std::fill(isMarked_.begin(), isMarked_.end(), std::uint8_t{0});
+  statisticsEnd_ = 0;
+  classesEnd_ = 0;
 }
 
-void ErrorEstimate::updateRow(int y) {
+void ErrorEstimate::updateRows(std::span<const HalfSums> sums, int end) {
+  updateRows(sums, end, std::max(1U, hardwareThreads() / 2));
+}
+
+void ErrorEstimate::updateRows(std::span<const HalfSums> sums, int end, unsigned threads) {
+  const auto forRows = [threads](int first, int last, const auto& work) {
+    parallelFor(static_cast<std::size_t>(std::max(0, last - first)), threads,
+                [&](std::size_t row) { work(first + static_cast<int>(row)); });
+  };
+  forRows(statisticsEnd_, end, [&](int y) { updateStatistics(sums, y); });
+  statisticsEnd_ = std::max(statisticsEnd_, end);
+  const int classesEnd = statisticsEnd_ == height_ ? height_ : statisticsEnd_ - kReach;
+  forRows(classesEnd_, classesEnd, [&](int y) { updateClasses(y); });
+  classesEnd_ = std::max(classesEnd_, classesEnd);
+}
+
+void ErrorEstimate::updateStatistics(std::span<const HalfSums> sums, int y) {
+  const auto columns = static_cast<std::size_t>(width_);
+  const std::size_t begin = static_cast<std::size_t>(y) * columns;
+  for (std::size_t pixel = begin; pixel < begin + columns; ++pixel)
+    if (isMarked_[pixel] != 0) statistics_[pixel] = statistics(sums[pixel]);
+}
+
+void ErrorEstimate::updateClasses(int y) {
   const auto columns = static_cast<std::size_t>(width_);
   std::vector<std::uint8_t> marks(columns + 2 * kReach);  // of the rows around, with margins
   for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v) {

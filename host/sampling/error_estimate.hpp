@@ -34,6 +34,9 @@ class ErrorEstimate {
   void markAll();
   // `sums` has all pixels, each with a power of two of samples, at least two.
   void update(std::span<const HalfSums> sums);
+  // Does the part of the next update() that needs only the sums of the rows before `end`. They must not
+  // change until then. Leaves half of the processor's threads alone, on which a device may compute.
+  void updateRows(std::span<const HalfSums> sums, int end);
 
   [[nodiscard]] std::span<const PixelClass> classes() const { return classes_; }
 
@@ -50,7 +53,9 @@ class ErrorEstimate {
   [[nodiscard]] PixelClass classOf(int x, int y) const;
   [[nodiscard]] int usualRateStep(int x, int y, float variance) const;
   [[nodiscard]] int rateStepAround(int x, int y, int usualRateStep) const;
-  void updateRow(int y);
+  void updateRows(std::span<const HalfSums> sums, int end, unsigned threads);
+  void updateStatistics(std::span<const HalfSums> sums, int y);
+  void updateClasses(int y);
 
   int width_;
   int height_;
@@ -59,6 +64,8 @@ class ErrorEstimate {
   std::vector<std::uint8_t> isMarked_;
   std::vector<Statistics> statistics_;
   std::vector<PixelClass> classes_;
+  int statisticsEnd_ = 0;  // these two: the rows before them are up to date
+  int classesEnd_ = 0;
 };
 
 }  // namespace lavaray

@@ -19,7 +19,7 @@ SamplePass uniformPass(std::uint64_t pixels, SampleRange samples) {
   return {pixels * itemsFor(samples), samples, {}};
 }
 
-SamplePass listedPass(std::vector<gpu::WorkItem> list) {
+SamplePass listedPass(WorkList list) {
   const std::uint64_t items = list.size();
   return {items, {0, 0}, std::move(list)};
 }

@@ -2,23 +2,25 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "base/uninitialized_vector.hpp"
 #include "interface.h"
 #include "sampling/sample_range.hpp"
 
 namespace lavaray {
 
+using WorkList = UninitializedVector<gpu::WorkItem>;
+
 // The samples that are taken before the next ones are chosen, divided into work items. A pass takes either
 // the same samples of every pixel or those of a list.
 struct SamplePass {
-  std::uint64_t items = 0;          // 0: nothing is left to do
-  SampleRange samples{0, 0};        // of every pixel
-  std::vector<gpu::WorkItem> list;  // empty where all pixels have the same samples
+  std::uint64_t items = 0;    // 0: nothing is left to do
+  SampleRange samples{0, 0};  // of every pixel
+  WorkList list;              // empty where all pixels have the same samples
 };
 
 SamplePass uniformPass(std::uint64_t pixels, SampleRange samples);
-SamplePass listedPass(std::vector<gpu::WorkItem> list);
+SamplePass listedPass(WorkList list);
 
 // The pass after one of the samples `before`, in a render that takes the samples `range` of every pixel.
 // Passes are short, so that a render that is stopped has about the same number of samples everywhere.

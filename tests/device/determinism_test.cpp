@@ -46,7 +46,7 @@ TEST(Determinism, BatchesOfAnySizeInAnyOrderMakeTheSameImage) {
   RenderSettings settings = settingsFor(reducedSize(scene.camera, 120), kSamples);
   settings.crop = {20, 30, 60, 50};
   const Image image = renderScene(scene, settings).image;
-  std::vector<gpu::WorkItem> items;
+  WorkList items;
   for (std::uint32_t pixel = 0; pixel < image.rgb.size() / 3; ++pixel) {
     for (std::uint32_t first = 0; first < kSamples; first += gpu::kMaxSamplesPerItem) {
       items.push_back({pixel, 0, first, std::min(gpu::kMaxSamplesPerItem, kSamples - first)});
