@@ -162,6 +162,7 @@ RenderStatistics Render::statistics() const {
 }
 
 void Render::writeFilm(std::FILE* stream, const Identity& identity) const {
+  if (isTraced()) listRest(*sampling_);
   FilmHeader header;
   header.identity = identity;
   header.device = device_.description().name;

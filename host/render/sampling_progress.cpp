@@ -51,15 +51,20 @@ SamplingProgress beginSampling(const GpuScene& scene, const RenderSettings& sett
 }
 
 bool hasItems(SamplingProgress& progress) {
+  if (progress.itemsGiven > 0) listRest(progress);
   if (progress.itemsGiven < progress.passes.back().items) return true;
   if (!progress.plan) {
     SamplePass next = passAfterLast(progress);
     if (next.items > 0) append(progress, std::move(next));
   } else if (progress.itemsDone == progress.passes.front().items) {
-    append(progress, progress.plan->nextPass(progress.sums.halves()));
+    append(progress, progress.plan->beginPass(progress.sums.halves()));
   }
   dropDonePasses(progress);
   return progress.itemsGiven < progress.passes.back().items;
+}
+
+void listRest(SamplingProgress& progress) {
+  if (progress.plan) progress.plan->listRest(progress.passes.back(), progress.sums.halves());
 }
 
 void add(SamplingProgress& progress, std::span<const gpu::WorkResult> results) {

@@ -45,6 +45,8 @@ std::uint64_t maxItems(const RenderSettings& settings, std::uint64_t pixels);
 // The memory that all this takes, in bytes.
 std::uint64_t samplingBytes(const RenderSettings& settings, std::uint64_t pixels);
 
+// Lists all of the pass under way, which a film must have.
+void listRest(SamplingProgress& progress);
 // These fill in what a film's header says about samples, write what follows it, and read both again, after
 // which everything is as it was.
 void describe(const SamplingProgress& progress, FilmHeader& header);

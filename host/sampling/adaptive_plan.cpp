@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -28,6 +27,9 @@ std::uint32_t smallObjectSamples(double targetError) {
 // Items are listed in bands of so many rows of pixels, one after the other, so that what the first bands tell
 // can be worked out while others are traced.
 constexpr int kBandRows = 16;
+// As many items as this share of the pixels are listed before the first of them are traced: enough to trace
+// while the rest is listed.
+constexpr std::size_t kPassParts = 8;
 
 // Aims lower than asked for: pixels that look too easy by chance are not looked at again, and the error of
 // narrow penumbrae converges ever more slowly, which makes the estimate up to 18 % too low.
@@ -61,6 +63,7 @@ AdaptivePlan::AdaptivePlan(const ImageSize& size, const AdaptiveGoal& goal,
       smallObjectSamples_(std::min(smallObjectSamples(goal.targetError), std::bit_floor(goal.maxSamples))),
       pixels_(static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height)),
       bandPixels_(std::uint64_t{kBandRows} * static_cast<std::uint64_t>(size.width)),
+      bands_((pixels_ + bandPixels_ - 1) / bandPixels_),
       smallObjects_(std::move(smallObjects)),
       estimate_(size.width, size.height, goal.isStratified,
                 kNegligibleError * kNegligibleError * goal_ * goal_) {}
@@ -76,99 +79,118 @@ void AdaptivePlan::resumeFrom(std::span<const HalfSums> sums) {
     plannedSamples_ += kUsualGrowth * (pixel.halves[0].samples() + pixel.halves[1].samples());
 }
 
-// Calls visit(band, pixels of the band) for all bands, on several threads.
-template <typename Visit>
-void AdaptivePlan::forEachBand(const Visit& visit) const {
-  const std::uint64_t bands = (pixels_ + bandPixels_ - 1) / bandPixels_;
-  parallelFor(bands, hardwareThreads(), [&](std::size_t band) {
-    visit(band, PixelRange{band * bandPixels_, std::min((band + 1) * bandPixels_, pixels_)});
+// Calls work(band, its pixels) for bands that follow one another, on several threads.
+template <typename Work>
+void AdaptivePlan::forBands(std::size_t begin, std::size_t end, const Work& work) const {
+  parallelFor(end - begin, hardwareThreads(), [&](std::size_t i) {
+    const std::uint64_t band = begin + i;
+    work(band, PixelRange{band * bandPixels_, std::min((band + 1) * bandPixels_, pixels_)});
   });
 }
 
-// visitItems(pixels, visit) calls visit(item) for each item of a band: first to count them, then to list
-// them.
+// Appends the items of the bands before `end` that are not listed yet. visitItems(pixels, visit) calls
+// visit(item) for each item of a band: first to count them, then to list them.
 template <typename VisitItems>
-WorkList AdaptivePlan::list(const VisitItems& visitItems) {
-  bandEnds_.assign((pixels_ + bandPixels_ - 1) / bandPixels_, 0);
-  forEachBand([&](std::size_t band, const PixelRange& pixels) {
-    std::uint64_t count = 0;
-    visitItems(pixels, [&](const gpu::WorkItem&) { ++count; });
-    bandEnds_[band] = count;
+void AdaptivePlan::list(std::size_t end, const VisitItems& visitItems, WorkList& items) {
+  const std::size_t begin = bandEnds_.size();
+  std::vector<std::uint64_t> starts(end - begin);
+  forBands(begin, end, [&](std::size_t band, const PixelRange& pixels) {
+    visitItems(pixels, [&](const gpu::WorkItem&) { ++starts[band - begin]; });
   });
-  std::partial_sum(bandEnds_.begin(), bandEnds_.end(), bandEnds_.begin());
-  WorkList items;
-  items.resize(bandEnds_.back());
-  forEachBand([&](std::size_t band, const PixelRange& pixels) {
-    auto next = items.begin() + static_cast<std::ptrdiff_t>(band > 0 ? bandEnds_[band - 1] : 0);
+  std::uint64_t count = items.size();
+  for (std::uint64_t& start : starts) {
+    const std::uint64_t ofBand = start;
+    start = count;
+    count += ofBand;
+    bandEnds_.push_back(count);
+  }
+  items.resize(count);
+  forBands(begin, end, [&](std::size_t band, const PixelRange& pixels) {
+    auto next = items.begin() + static_cast<std::ptrdiff_t>(starts[band - begin]);
     visitItems(pixels, [&](const gpu::WorkItem& item) { *next++ = item; });
   });
-  return items;
 }
 
-WorkList AdaptivePlan::firstItems() {
-  return list([&](const PixelRange& pixels, const auto& visit) {
+void AdaptivePlan::listFirst(WorkList& items) {
+  const auto visitItems = [&](const PixelRange& pixels, const auto& visit) {
     for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel)
       forEachItem(pixel, 0, kFirstSamples, visit);
     auto small = std::ranges::lower_bound(smallObjects_, pixels.begin);
     for (; small != smallObjects_.end() && *small < pixels.end; ++small)
       forEachItem(*small, kFirstSamples, smallObjectSamples_, visit);
-  });
+  };
+  list(bands_, visitItems, items);
 }
 
 // Within a band items of one size follow one another, since a device traces neighbours together and waits for
 // the largest.
-WorkList AdaptivePlan::itemsOf(const SampleAllocation& allocation) {
+void AdaptivePlan::listGrowth(std::size_t end, std::span<HalfSums> sums, WorkList& items) {
   static_assert(gpu::kMaxSamplesPerItem == 2 * kFirstSamples && kMaxGrowth == 1);  // so there are two sizes
   const std::span<const PixelClass> classes = estimate_.classes();
-  return list([&](const PixelRange& pixels, const auto& visit) {
+  const auto visitItems = [&](const PixelRange& pixels, const auto& visit) {
     std::vector<std::uint64_t> ofSmallItems;
     for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel) {
-      const int growth = std::min(allocation.growth(classes[pixel]), kMaxGrowth);
-      if (growth == 0) continue;
+      if (allocation_->growth(classes[pixel]) == 0) continue;
       const std::uint32_t samples = 1U << static_cast<unsigned>(classes[pixel].sampleStep());
       if (samples < gpu::kMaxSamplesPerItem) {
         ofSmallItems.push_back(pixel);
       } else {
-        forEachItem(pixel, samples, samples << static_cast<unsigned>(growth), visit);
+        forEachItem(pixel, samples, 2 * samples, visit);
       }
     }
     for (const std::uint64_t pixel : ofSmallItems)
       forEachItem(pixel, kFirstSamples, 2 * kFirstSamples, visit);
-  });
-}
-
-void AdaptivePlan::beginGrowth(const SampleAllocation& allocation, std::span<HalfSums> sums) {
-  forEachBand([&](std::size_t /*band*/, const PixelRange& pixels) {
+  };
+  const std::size_t begin = bandEnds_.size();
+  list(end, visitItems, items);
+  forBands(begin, end, [&](std::size_t /*band*/, const PixelRange& pixels) {
     for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel) {
-      if (allocation.growth(estimate_.classes()[pixel]) == 0) continue;
+      if (allocation_->growth(classes[pixel]) == 0) continue;
       sums[pixel].halves[0].add(sums[pixel].halves[1]);
       sums[pixel].halves[1] = {};
       estimate_.mark(pixel);
     }
   });
+  if (end == bands_) allocation_.reset();
+}
+
+void AdaptivePlan::listRest(SamplePass& pass, std::span<HalfSums> sums) {
+  if (!allocation_) return;
+  listGrowth(bands_, sums, pass.list);
+  pass.items = pass.list.size();
 }
 
 void AdaptivePlan::advance(std::uint64_t items, std::span<const HalfSums> sums) {
-  const auto band = std::ranges::upper_bound(bandEnds_, items) - bandEnds_.begin();
-  const std::uint64_t bands = static_cast<std::uint64_t>(band);
-  if (bands < bandEnds_.size()) estimate_.updateRows(sums, static_cast<int>(bands) * kBandRows);
+  const auto done = static_cast<std::size_t>(std::ranges::upper_bound(bandEnds_, items) - bandEnds_.begin());
+  if (done < bandEnds_.size()) estimate_.updateRows(sums, static_cast<int>(done) * kBandRows);
 }
 
 SamplePass AdaptivePlan::nextPass(std::span<HalfSums> sums) {
+  SamplePass pass = beginPass(sums);
+  listRest(pass, sums);
+  return pass;
+}
+
+SamplePass AdaptivePlan::beginPass(std::span<HalfSums> sums) {
+  WorkList items;
+  bandEnds_.clear();
   if (!hasStarted_) {
     hasStarted_ = true;
     estimate_.markAll();
-    WorkList items = firstItems();
+    listFirst(items);
     for (const gpu::WorkItem& item : items) plannedSamples_ += kUsualGrowth * item.count;
     return listedPass(std::move(items));
   }
   estimate_.update(sums);
-  const SampleAllocation allocation(estimate_.classes(), goal_ * goal_, maxSampleStep_);
-  estimatedError_ = std::sqrt(allocation.squaredError());
-  plannedSamples_ = allocation.samples();
-  if (reachedTarget()) return {};
-  WorkList items = itemsOf(allocation);
-  beginGrowth(allocation, sums);
+  allocation_.emplace(estimate_.classes(), goal_ * goal_, maxSampleStep_);
+  estimatedError_ = std::sqrt(allocation_->squaredError());
+  plannedSamples_ = allocation_->samples();
+  if (reachedTarget()) {
+    allocation_.reset();
+    return {};
+  }
+  while (items.size() <= pixels_ / kPassParts && allocation_)
+    listGrowth(std::min(bandEnds_.size() + 1 + bands_ / kPassParts, bands_), sums, items);
   return listedPass(std::move(items));
 }
 

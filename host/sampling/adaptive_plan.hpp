@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/rectangle.hpp"
 #include "sampling/error_estimate.hpp"
+#include "sampling/sample_allocation.hpp"
 #include "sampling/sample_pass.hpp"
 
 namespace lavaray {
@@ -33,6 +35,10 @@ class AdaptivePlan {
   // pass before must be in `sums`. The halves of pixels that get more are added up there: what they have so
   // far becomes the first half.
   SamplePass nextPass(std::span<HalfSums> sums);
+  // The same in two steps, of which the second one can be done while items of the first are traced: the first
+  // items of the pass, none where it has none, and the rest, if there is any.
+  SamplePass beginPass(std::span<HalfSums> sums);
+  void listRest(SamplePass& pass, std::span<HalfSums> sums);
 
   // Says that the results of that many of the pass's items, in their order, are in `sums`. What they tell of
   // the error is then worked out at once, while others are traced, instead of by the next call of nextPass().
@@ -53,13 +59,12 @@ class AdaptivePlan {
     std::uint64_t end;
   };
 
-  WorkList firstItems();
-  WorkList itemsOf(const SampleAllocation& allocation);
-  void beginGrowth(const SampleAllocation& allocation, std::span<HalfSums> sums);
-  template <typename Visit>
-  void forEachBand(const Visit& visit) const;
+  template <typename Work>
+  void forBands(std::size_t begin, std::size_t end, const Work& work) const;
   template <typename VisitItems>
-  WorkList list(const VisitItems& visitItems);
+  void list(std::size_t end, const VisitItems& visitItems, WorkList& items);
+  void listFirst(WorkList& items);
+  void listGrowth(std::size_t end, std::span<HalfSums> sums, WorkList& items);
 
   double goal_;
   int maxSampleStep_;
@@ -69,8 +74,10 @@ class AdaptivePlan {
   bool hasStarted_ = false;
   std::uint64_t pixels_;
   std::uint64_t bandPixels_;
-  // Items of the pass up to the end of each band; empty where the pass was not listed here.
+  std::size_t bands_;
+  // Items of the pass up to the end of each band that is listed; empty where the pass was not planned here.
   std::vector<std::uint64_t> bandEnds_;
+  std::optional<SampleAllocation> allocation_;  // as long as bands are left to list
   std::vector<std::uint64_t> smallObjects_;
   ErrorEstimate estimate_;
 };
