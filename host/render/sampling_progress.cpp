@@ -57,7 +57,8 @@ bool hasItems(SamplingProgress& progress) {
     SamplePass next = passAfterLast(progress);
     if (next.items > 0) append(progress, std::move(next));
   } else if (progress.itemsDone == progress.passes.front().items) {
-    append(progress, progress.plan->beginPass(progress.sums.halves()));
+    append(progress,
+           progress.plan->beginPass(progress.sums.halves(), std::move(progress.passes.front().list)));
   }
   dropDonePasses(progress);
   return progress.itemsGiven < progress.passes.back().items;

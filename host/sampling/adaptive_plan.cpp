@@ -171,8 +171,8 @@ SamplePass AdaptivePlan::nextPass(std::span<HalfSums> sums) {
   return pass;
 }
 
-SamplePass AdaptivePlan::beginPass(std::span<HalfSums> sums) {
-  WorkList items;
+SamplePass AdaptivePlan::beginPass(std::span<HalfSums> sums, WorkList items) {
+  items.clear();
   bandEnds_.clear();
   if (!hasStarted_) {
     hasStarted_ = true;

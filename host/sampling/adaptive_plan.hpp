@@ -37,7 +37,8 @@ class AdaptivePlan {
   SamplePass nextPass(std::span<HalfSums> sums);
   // The same in two steps, of which the second one can be done while items of the first are traced: the first
   // items of the pass, none where it has none, and the rest, if there is any.
-  SamplePass beginPass(std::span<HalfSums> sums);
+  // `items` is an older list, of no other use than its memory.
+  SamplePass beginPass(std::span<HalfSums> sums, WorkList items = {});
   void listRest(SamplePass& pass, std::span<HalfSums> sums);
 
   // Says that the results of that many of the pass's items, in their order, are in `sums`. What they tell of
