@@ -33,17 +33,21 @@ std::uint64_t maxUniformItems(std::uint64_t pixels, SampleRange range) {
   return pixels * itemsFor({0, std::min(range.end - range.first, kPassSamples)});
 }
 
-gpu::WorkItem itemAt(const SamplePass& pass, std::uint64_t index) {
-  if (!pass.list.empty()) return pass.list[index];
+ItemCursor::ItemCursor(const SamplePass& pass, std::uint64_t index) : samples_(pass.samples) {
+  if (!pass.list.empty()) {
+    listed_ = &pass.list[index];
+    return;
+  }
   const std::uint32_t itemsPerPixel = itemsFor(pass.samples);
   const std::uint32_t first =
       pass.samples.first + static_cast<std::uint32_t>(index % itemsPerPixel) * gpu::kMaxSamplesPerItem;
-  return {static_cast<gpu::uint>(index / itemsPerPixel), 0, first,
-          std::min(gpu::kMaxSamplesPerItem, pass.samples.end - first)};
+  item_ = {static_cast<gpu::uint>(index / itemsPerPixel), 0, first,
+           std::min(gpu::kMaxSamplesPerItem, samples_.end - first)};
 }
 
 void copyItems(const SamplePass& pass, std::uint64_t first, std::span<gpu::WorkItem> items) {
-  for (gpu::WorkItem& item : items) item = itemAt(pass, first++);
+  ItemCursor cursor(pass, first);
+  for (gpu::WorkItem& item : items) item = cursor.next();
 }
 
 }  // namespace lavaray

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -28,7 +29,29 @@ SamplePass nextUniformPass(std::uint64_t pixels, SampleRange range, SampleRange 
 // An upper bound of the number of items of these passes.
 std::uint64_t maxUniformItems(std::uint64_t pixels, SampleRange range);
 
-gpu::WorkItem itemAt(const SamplePass& pass, std::uint64_t index);
+// Goes through the items of a pass from number `index` on, which it has, without a division for each.
+class ItemCursor {
+ public:
+  ItemCursor(const SamplePass& pass, std::uint64_t index);
+
+  gpu::WorkItem next() {
+    if (listed_ != nullptr) return *listed_++;
+    const gpu::WorkItem item = item_;
+    item_.first += item_.count;
+    if (item_.first == samples_.end) {
+      ++item_.pixel;
+      item_.first = samples_.first;
+    }
+    item_.count = std::min(gpu::kMaxSamplesPerItem, samples_.end - item_.first);
+    return item;
+  }
+
+ private:
+  const gpu::WorkItem* listed_ = nullptr;
+  SampleRange samples_;
+  gpu::WorkItem item_{};
+};
+
 // The items from number `first` on.
 void copyItems(const SamplePass& pass, std::uint64_t first, std::span<gpu::WorkItem> items);
 

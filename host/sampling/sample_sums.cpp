@@ -48,8 +48,10 @@ void SampleSums::add(const SamplePass& pass, std::uint64_t first, std::span<cons
     addCenters(results);
     return;
   }
+  if (results.empty()) return;
+  ItemCursor cursor(pass, first);
   for (const gpu::WorkResult& result : results) {
-    const gpu::WorkItem item = itemAt(pass, first++);
+    const gpu::WorkItem item = cursor.next();
     samples_ += item.count;
     if (kind_ == SumKind::kMean) {
       means_[item.pixel].add(result.sum, item.count);
