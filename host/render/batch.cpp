@@ -24,6 +24,7 @@ Batch makeBatch(vulkan::Device& device, std::uint32_t capacity, bool listsItems)
 void makeStates(vulkan::Device& device, std::uint32_t capacity, Batch& batch) {
   batch.buffers[gpu::kBindingStates - gpu::kBindingWork] =
       vulkan::Buffer::shared(device, "unfinished work", capacity * sizeof(gpu::WorkState));
+  batch.canResume = true;
 }
 
 std::span<gpu::WorkItem> items(Batch& batch) {

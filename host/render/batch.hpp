@@ -18,11 +18,10 @@ struct Batch {
   using Clock = std::chrono::steady_clock;
 
   std::vector<vulkan::Buffer> buffers;  // from gpu::kBindingWork on
-  // One of the two: the first if the variant finishes items, until it gives up on one. They go before the
-  // buffers.
+  // They go before the buffers. There is one of the two, or both where the first gives up on some items.
   std::optional<vulkan::ComputeShader> direct;
   std::optional<vulkan::ComputeShader> resumable;
-  std::uint32_t raysPerLane = 1;  // of that one
+  bool canResume = false;  // there is a buffer for items that are left half done
 
   std::uint64_t first = 0;   // of its items, their number in the pass
   std::uint32_t count = 0;   // of its items
@@ -38,7 +37,8 @@ struct Batch {
 // Buffers for so many items, but those of unfinished ones. They are listed on the host unless they are
 // consecutive pixels.
 Batch makeBatch(vulkan::Device& device, std::uint32_t capacity, bool listsItems);
-// Buffers for so many items to be left half done.
+// Makes room for so many items to be left half done. Shaders that were made before are bound to a buffer that
+// goes.
 void makeStates(vulkan::Device& device, std::uint32_t capacity, Batch& batch);
 
 // As the host sees them while the device does not work on the batch.

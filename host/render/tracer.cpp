@@ -17,6 +17,8 @@ constexpr double kFirstBatchRays = 1U << 15U;
 // Short enough for a render to be looked at, kept or stopped ten times a second while two are in flight; long
 // enough for the ends of batches, where some of a device's threads have nothing left to do, not to matter.
 constexpr double kBatchSeconds = 0.05;
+// A pipeline that gives up on more than one in so many invocations is not used again.
+constexpr std::uint64_t kRare = 16;
 
 gpu::DispatchConstants dispatchConstants(const GpuScene& scene, const RenderSettings& settings,
                                          const Rectangle& area) {
@@ -84,7 +86,8 @@ Tracer::Tracer(vulkan::Device& device, const GpuScene& scene, const RenderSettin
                                std::as_bytes(std::span(filter.empty() ? noTable : filter))));
   for (Batch& batch : batches_) {
     batch = makeBatch(device, capacity_, !takesCenters_);
-    makeShader(batch, !variant_.finishesItems);
+    if (variant_.finishesItems != Expectation::kCertain) makeStates(device, capacity_, batch);
+    makeShader(batch, variant_.finishesItems == Expectation::kNo);
   }
 }
 
@@ -198,9 +201,6 @@ void Tracer::takeResultsOf(Batch& batch, const TakeResults& takeResults) const {
 }
 
 void Tracer::makeShader(Batch& batch, bool resumable) {
-  batch.direct.reset();  // it is bound to the buffer that is replaced here
-  if (resumable) makeStates(device_, capacity_, batch);
-  batch.raysPerLane = resumable ? 1 : variant_.raysPerLane;
   variant_.specialization[gpu::kSpecResumable] = resumable ? 1 : 0;
   std::optional<vulkan::ComputeShader>& shader = resumable ? batch.resumable : batch.direct;
   shader.emplace(device_, resumable ? variant_.resumable : variant_.shader, variant_.specialization,
@@ -209,9 +209,9 @@ void Tracer::makeShader(Batch& batch, bool resumable) {
 }
 
 // How many invocations a batch takes.
-std::uint32_t Tracer::lanes(const Batch& batch) const {
+std::uint32_t Tracer::lanes(const Batch& batch, std::uint32_t raysPerLane) const {
   if (!takesCenters_) return batch.traced;
-  const PixelBlock block = unitBlock(batch.raysPerLane);
+  const PixelBlock block = unitBlock(raysPerLane);
   const auto first = static_cast<std::uint32_t>(batch.first);
   const std::uint32_t firstRow = first / constants_.areaWidth / block.height;
   const std::uint32_t lastRow = (first + batch.count - 1) / constants_.areaWidth / block.height;
@@ -224,7 +224,9 @@ void Tracer::start(Batch& batch, vulkan::ComputeShader& shader, gpu::uint mode) 
   constants_.firstPixel = static_cast<gpu::uint>(batch.first);
   constants_.itemCount = batch.traced;
   constants_.mode = mode;
-  shader.start((lanes(batch) + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
+  const bool isResumable = batch.resumable && &shader == &*batch.resumable;
+  const std::uint32_t lanesOfBatch = lanes(batch, isResumable ? 1 : variant_.raysPerLane);
+  shader.start((lanesOfBatch + gpu::kWorkGroupSize - 1) / gpu::kWorkGroupSize,
                std::as_bytes(std::span(&constants_, 1)));
 }
 
@@ -243,9 +245,12 @@ gpu::DispatchStatus Tracer::wait(Batch& batch, vulkan::ComputeShader& shader) {
 void Tracer::finish(Batch& batch) {
   std::uint32_t unfinishedBefore = batch.traced + 1;
   if (batch.direct) {
-    if (wait(batch, *batch.direct).unfinished == 0) return;
-    // The scene turned out to need the other one.
-    makeShader(batch, true);
+    const std::uint32_t unfinished = wait(batch, *batch.direct).unfinished;
+    if (unfinished == 0) return;
+    const bool wastesTime = kRare * std::uint64_t{unfinished} > lanes(batch, variant_.raysPerLane);
+    if (wastesTime || !batch.canResume) batch.direct.reset();
+    if (!batch.canResume) makeStates(device_, capacity_, batch);
+    if (!batch.resumable) makeShader(batch, true);
     start(batch, *batch.resumable, gpu::kModeUnfinished);
   }
   for (;;) {

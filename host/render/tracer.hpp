@@ -60,7 +60,7 @@ class Tracer {
 
   [[nodiscard]] Batch& batchAt(std::uint64_t number) { return batches_[number % kBatchesInFlight]; }
   [[nodiscard]] std::uint32_t batchCount(std::uint64_t items, std::uint64_t first) const;
-  [[nodiscard]] std::uint32_t lanes(const Batch& batch) const;
+  [[nodiscard]] std::uint32_t lanes(const Batch& batch, std::uint32_t raysPerLane) const;
   void listItems(const SamplePass& pass, Batch& batch) const;
   void takeResultsOf(Batch& batch, const TakeResults& takeResults) const;
   void adaptBatch(const Batch& batch);

@@ -61,33 +61,36 @@ bool skipsEmptyTiles(const GpuScene& scene, const RenderSettings& settings) {
   return scene.planes.empty() && !scene.hasFewPrimitives;
 }
 
-// An upper bound for one work item.
-std::uint64_t shadowRays(const PipelineVariant& variant, const GpuScene& scene) {
-  const std::uint64_t directions = scene.hasSphericalLights ? gpu::kClampedLightDirections : 1;
-  return std::uint64_t{gpu::kMaxSamplesPerItem} * directions * variant.lights *
-         (1 + std::uint64_t{variant.maxDepth});
+// By the shadow rays of one work item. Most samples look at a spherical light in a single direction.
+Expectation finishesItems(const PipelineVariant& variant, const GpuScene& scene) {
+  const std::uint64_t usual =
+      std::uint64_t{gpu::kMaxSamplesPerItem} * variant.lights * (1 + std::uint64_t{variant.maxDepth});
+  const std::uint64_t most = usual * (scene.hasSphericalLights ? gpu::kClampedLightDirections : 1);
+  if (most <= gpu::kMaxShadowRaysPerDispatch) return Expectation::kCertain;
+  return usual <= gpu::kMaxShadowRaysPerDispatch ? Expectation::kLikely : Expectation::kNo;
 }
 
-// Roughly the rays that a render traces; at least a sample in each pixel.
-double estimatedRays(const PipelineVariant& variant, const RenderSettings& settings) {
-  const std::uint64_t samples =
-      settings.targetError
-          ? 1
-          : std::max<std::uint64_t>(sampleRange(settings).end - sampleRange(settings).first, 1);
-  return static_cast<double>(settings.crop.pixels()) * static_cast<double>(samples) * (1.0 + variant.lights);
+// Samples of a pixel, roughly where they follow a target error.
+std::uint32_t samplesOf(const RenderSettings& settings) {
+  if (settings.targetError) return std::min(settings.maxSamples, 16U);
+  return sampleRange(settings).end - sampleRange(settings).first;
 }
 
 // The more rays, the faster; but the longer a driver compiles, be it only to find that it has done so before
-// (tools/bench_speed/traversal.md). Rays search a hierarchy together; only a single ray's tests are counted,
-// and only a single path is resumed.
-std::uint32_t raysPerLane(const PipelineVariant& variant, const GpuScene& scene,
+// (tools/bench_speed/traversal.md). What a GPU gains or loses is not known yet. Rays search a hierarchy
+// together, and only a single ray's tests are counted, only a single path is resumed.
+std::uint32_t raysPerLane(const vulkan::Device& device, const PipelineVariant& variant, const GpuScene& scene,
                           const RenderSettings& settings) {
   const bool traverses = !scene.nodes.empty() && !scene.hasFewPrimitives;
-  if (!traverses || !variant.finishesItems || !settings.shader.empty() || settings.view == View::kCost)
+  if (!traverses || variant.finishesItems == Expectation::kNo || !settings.shader.empty() ||
+      settings.view == View::kCost)
     return 1;
   if (settings.raysPerLane) return *settings.raysPerLane;
-  const double rays = estimatedRays(variant, settings);
-  return rays < kRaysWorthTwo ? 1 : (rays < kRaysWorthFour ? 2 : 4);
+  if (!device.description().isCpu) return 1;
+  const double samples = samplesOf(settings);
+  const double rays = static_cast<double>(settings.crop.pixels()) * samples * (1.0 + variant.lights);
+  if (rays < kRaysWorthTwo) return 1;
+  return rays < kRaysWorthFour || samplesOf(settings) == 2 ? 2 : 4;
 }
 
 // For more than one ray.
@@ -140,9 +143,8 @@ PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scen
   if (tracesLights(settings.view)) variant.lights = static_cast<std::uint32_t>(scene.lights.size());
   if (scene.hasMirrors && tracesMirrors(settings.view)) variant.maxDepth = settings.maxDepth;
   variant.skipsEmptyTiles = skipsEmptyTiles(scene, settings);
-  variant.finishesItems =
-      settings.specialized && shadowRays(variant, scene) <= gpu::kMaxShadowRaysPerDispatch;
-  variant.raysPerLane = raysPerLane(variant, scene, settings);
+  if (settings.specialized) variant.finishesItems = finishesItems(variant, scene);
+  variant.raysPerLane = raysPerLane(device, variant, scene, settings);
   variant.resumable = inStorage ? renderFromStorageSpirv : shaderOf(settings, scene.hasFewPrimitives);
   variant.shader = variant.raysPerLane == 1 ? variant.resumable : moduleOf(variant.raysPerLane, inStorage);
   return variant;

@@ -10,6 +10,8 @@
 
 namespace lavaray {
 
+enum class Expectation { kNo, kLikely, kCertain };
+
 // The pipeline that a render runs: it holds no code for what neither the scene nor the settings need.
 struct PipelineVariant {
   std::span<const std::uint32_t> shader;      // SPIR-V
@@ -21,10 +23,9 @@ struct PipelineVariant {
   std::uint32_t raysPerLane = 1;              // that an invocation traces together
   // Tiles of the picture that can show nothing are not traced.
   bool skipsEmptyTiles = false;
-  // Whether a dispatch is expected to finish its items. If not, the pipeline is one that can leave them half
-  // done and resume them, which takes another buffer (gpu::kSpecResumable); it also takes over where the
-  // expectation turns out wrong.
-  bool finishesItems = false;
+  // Whether a dispatch finishes its items. A pipeline that can leave them half done and resume them takes
+  // another buffer (gpu::kSpecResumable); it does those that the other one gives up on, or all of them.
+  Expectation finishesItems = Expectation::kNo;
 };
 
 PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scene,

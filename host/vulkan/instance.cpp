@@ -95,7 +95,8 @@ DeviceDescription describe(VkPhysicalDevice device) {
     driverName = std::string(driver.driverName) + " " + driver.driverInfo;
   }
   return {device,     first.deviceName,         kindOf(first.deviceType),
-          driverName, rankOf(first.deviceType), isNew && hasComputeQueue(device)};
+          driverName, rankOf(first.deviceType), isNew && hasComputeQueue(device),
+          first.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU};
 }
 
 std::string lower(std::string text) {

@@ -44,6 +44,7 @@ struct DeviceDescription {
   std::string driver;  // name and version
   int rank;            // lower is a better default
   bool usable;         // it has Vulkan 1.2 and a compute queue
+  bool isCpu;
 };
 
 std::vector<DeviceDescription> listDevices(const Instance& instance);

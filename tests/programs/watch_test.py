@@ -114,7 +114,7 @@ def main():
     scene_text, mesh_text, shader_text = scene.read_text(), mesh.read_text(), shader.read_text()
 
     # The worked example of the README: another background.
-    blue = shader_text.replace('vec3 color = path.color;', 'vec3 color = path.color + vec3(0.0, 0.0, 0.25);')
+    blue = shader_text.replace('vec3 color = path.color[r];', 'vec3 color = path.color[r] + vec3(0.0, 0.0, 0.25);')
     demand(blue != shader_text, 'render.comp has the line that the README edits')
     for edit in EDITS:
         edit(shader, blue)
@@ -204,7 +204,7 @@ def main():
     if kibibytes < 1 << 30:
         before = resource.prlimit(compiler, resource.RLIMIT_AS)
         resource.prlimit(compiler, resource.RLIMIT_AS, ((kibibytes + 1024) * 1024, before[1]))
-        line = 'vec3 color = path.color;'
+        line = 'vec3 color = path.color[r];'
         edit_in_place(shader, shader_text.replace(line, line + ' color.x += sin(color.y * 1.5 + 2.0);' * 30000))
         lavaray.wait_for(r'lavaray: shaders/render.comp: the shader compiler ended in the middle of it \(')
         demand(picture.read_bytes() == original, 'a compiler that ends leaves the picture alone')
