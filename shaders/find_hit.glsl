@@ -18,7 +18,7 @@ bool hitPlanes(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], i
     const Plane plane = fetchPlane(i);
     const uint surface = i | kPlaneBit;
     [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-      if (kCountsTests && surface != packet.skipped[r]) ++tests;
+      if (kCountsTests && hits[r].t > 0.0 && surface != packet.skipped[r]) ++tests;
       const float t = intersectPlane(packet.rays[r], plane.normal, plane.distance);
       const bool isNearer =
           t < hits[r].t || (t == hits[r].t && hits[r].surface != kNoSurface && plane.object < objects[r]);

@@ -84,6 +84,7 @@ void hitPrimitive(const bool anyHit, Packet packet, ShearedRay sheared[kRaysPerL
 // alongside. To stop at any hit would save nothing, since mostly some ray of the subgroup has none. Returns
 // false if the device ended a loop.
 bool testEach(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], inout uint tests) {
+  const bool isThere = farthest(hits) > 0.0;
   uint i = 0u;
   for (; i < kFewSpheres; ++i) {
     const Primitive primitive = fetchPrimitive(i);
@@ -100,7 +101,7 @@ bool testEach(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], in
       if (i != packet.skipped[r]) keepNearer(anyHit, t, i, primitive.order, hits[r]);
     }
   }
-  if (kCountsTests) tests += i - uint(packet.skipped[0] < i);
+  if (isThere && kCountsTests) tests += i - uint(packet.skipped[0] < i);
   return i == kFewSpheres + kFewTriangles;
 }
 

@@ -28,28 +28,30 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
   bool over = false;
   uint steps = 0u;
   do {
-    const float tMax = farthest(hits);
-    uint reference = takeChild(0u, kNoSlots, stack);
-    do {
-      if (reference <= kMaxReference) {
-        const uint entered = enteredSlots(!anyHit, enterChildren(beam, reference, tMax));
-        if (kCountsTests) ++tests;
-        reference = takeChild(reference, entered, stack);
-        ++steps;
-      }
-    } while (reference <= kMaxReference && steps < kMaxTraversalSteps);
-    isCut = reference <= kMaxReference;
-    uint i = reference & kMaxReference;
-    const uint end = isCut || reference == kNoReference ? i : i + (reference >> kLeafShift);
-    do {
-      if (i < end) {
-        hitPrimitive(anyHit, packet, sheared, beam.axis, i, hits);
-        if (kCountsTests && i != packet.skipped[0]) ++tests;
-        ++i;
-      }
-    } while (i < end);
-    isCut = isCut || i != end;
-    over = isCut || reference == kNoReference || (anyHit && farthest(hits) == kNoRay);
+    if (steps < kMaxTraversalSteps) {  // always true: see traverse
+      const float tMax = farthest(hits);
+      uint reference = takeChild(0u, kNoSlots, stack);
+      do {
+        if (reference <= kMaxReference) {
+          const uint entered = enteredSlots(!anyHit, enterChildren(beam, reference, tMax));
+          if (kCountsTests) ++tests;
+          reference = takeChild(reference, entered, stack);
+          ++steps;
+        }
+      } while (reference <= kMaxReference && steps < kMaxTraversalSteps);
+      isCut = reference <= kMaxReference;
+      uint i = reference & kMaxReference;
+      const uint end = isCut || reference == kNoReference ? i : i + (reference >> kLeafShift);
+      do {
+        if (i < end) {
+          hitPrimitive(anyHit, packet, sheared, beam.axis, i, hits);
+          if (kCountsTests && i != packet.skipped[0]) ++tests;
+          ++i;
+        }
+      } while (i < end);
+      isCut = isCut || i != end;
+      over = isCut || reference == kNoReference || (anyHit && farthest(hits) == kNoRay);
+    }
   } while (!over);
   return !isCut && (stack.entries[0] == 0u || (anyHit && farthest(hits) == kNoRay));
 }

@@ -7,6 +7,7 @@ namespace lavaray {
 // What a tracer has done.
 struct TraceCounts {
   std::uint64_t dispatches = 0;
+  std::uint64_t givenUp = 0;         // invocations that another dispatch had to do again
   std::uint64_t samples = 0;         // camera rays
   std::uint64_t skippedSamples = 0;  // through tiles of the picture that show nothing
   // These are counted only if the settings ask for it.

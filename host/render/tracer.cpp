@@ -247,6 +247,7 @@ void Tracer::finish(Batch& batch) {
   if (batch.direct) {
     const std::uint32_t unfinished = wait(batch, *batch.direct).unfinished;
     if (unfinished == 0) return;
+    counts_.givenUp += unfinished;
     const bool wastesTime = kRare * std::uint64_t{unfinished} > lanes(batch, variant_.raysPerLane);
     if (wastesTime || !batch.canResume) batch.direct.reset();
     if (!batch.canResume) makeStates(device_, capacity_, batch);
