@@ -5,6 +5,10 @@
 #include "hit.glsl"
 #include "node.glsl"
 
+// A primitive at the same distance as the nearest one so far may have a box that, by rounding, begins behind
+// it. It must be found all the same: it may come earlier in the scene file.
+const float kTieMargin = 1.00002;
+
 // Finds for each ray of a beam the nearest primitive that it hits before hit.t, or with `anyHit` any such
 // primitive. Searches below packet.entry. Returns false if the device ended the loops before the search was
 // over (see kMaxTraversalSteps).
@@ -29,7 +33,7 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
   uint steps = 0u;
   do {
     if (steps < kMaxTraversalSteps) {  // always true: see traverse
-      const float tMax = farthest(hits);
+      const float tMax = farthest(hits) * kTieMargin;
       uint reference = takeChild(0u, kNoSlots, stack);
       do {
         if (reference <= kMaxReference) {

@@ -65,16 +65,50 @@ std::vector<std::uint32_t> markExact(std::span<const std::uint32_t> spirv) {
   return exact;
 }
 
-// Runs the optimizer's passes for size and, where `unrolls`, unrolls the loops that are marked for it.
-std::vector<std::uint32_t> optimize(const std::vector<std::uint32_t>& spirv, bool unrolls) {
+// SPIRV-Tools' passes for size (2023.1), but for the unrolling of loops in their midst: its copies of an
+// operation lose their mark, and the passes after it would fuse them.
+const std::vector<std::string> kPasses{"--wrap-opkill",
+                                       "--eliminate-dead-branches",
+                                       "--merge-return",
+                                       "--inline-entry-points-exhaustive",
+                                       "--eliminate-dead-functions",
+                                       "--private-to-local",
+                                       "--scalar-replacement=0",
+                                       "--ssa-rewrite",
+                                       "--ccp",
+                                       "--eliminate-dead-branches",
+                                       "--simplify-instructions",
+                                       "--scalar-replacement=0",
+                                       "--eliminate-local-single-store",
+                                       "--if-conversion",
+                                       "--simplify-instructions",
+                                       "--eliminate-dead-code-aggressive",
+                                       "--eliminate-dead-branches",
+                                       "--merge-blocks",
+                                       "--convert-local-access-chains",
+                                       "--eliminate-local-single-block",
+                                       "--eliminate-dead-code-aggressive",
+                                       "--copy-propagate-arrays",
+                                       "--vector-dce",
+                                       "--eliminate-dead-inserts",
+                                       "--eliminate-dead-members",
+                                       "--eliminate-local-single-store",
+                                       "--merge-blocks",
+                                       "--ssa-rewrite",
+                                       "--redundancy-elimination",
+                                       "--simplify-instructions",
+                                       "--eliminate-dead-code-aggressive",
+                                       "--cfg-cleanup"};
+
+std::vector<std::uint32_t> optimize(const std::vector<std::uint32_t>& spirv,
+                                    const std::vector<std::string>& lastPasses) {
   std::string reason = "no reason given";
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   optimizer.SetMessageConsumer([&](spv_message_level_t /*level*/, const char* /*source*/,
                                    const spv_position_t& /*position*/, const char* text) { reason = text; });
-  optimizer.RegisterSizePasses();
-  if (unrolls) optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
   std::vector<std::uint32_t> optimized;
-  if (!optimizer.Run(spirv.data(), spirv.size(), &optimized)) {
+  if (!optimizer.RegisterPassesFromFlags(kPasses) || !optimizer.RegisterPassesFromFlags(lastPasses) ||
+      !optimizer.Run(spirv.data(), spirv.size(), &optimized)) {
     throw std::runtime_error("the SPIR-V optimizer fails: " + reason);
   }
   return optimized;
@@ -83,11 +117,7 @@ std::vector<std::uint32_t> optimize(const std::vector<std::uint32_t>& spirv, boo
 }  // namespace
 
 std::vector<std::uint32_t> finishShader(std::span<const std::uint32_t> spirv) {
-  // A loop can be unrolled once it holds no other.
-  constexpr int kNestedLoops = 2;
-  std::vector<std::uint32_t> finished(spirv.begin(), spirv.end());
-  for (int i = 0; i < kNestedLoops; ++i) finished = optimize(markExact(finished), true);
-  return optimize(markExact(finished), false);
+  return optimize(markExact(optimize(markExact(spirv), {"--loop-unroll"})), {});
 }
 
 }  // namespace lavaray
