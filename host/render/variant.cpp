@@ -15,8 +15,8 @@ namespace lavaray {
 namespace {
 
 // Estimated rays of a render from which on invocations trace two and four of them together.
-constexpr double kRaysWorthTwo = 0.7e6;
-constexpr double kRaysWorthFour = 2e6;
+constexpr double kRaysWorthTwo = 2e6;
+constexpr double kRaysWorthFour = 5e6;
 
 // A user's shader reads texels.
 bool readsStorage(const vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings) {

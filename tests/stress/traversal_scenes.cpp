@@ -231,7 +231,7 @@ std::vector<TraversalScene> traversalScenes() {
           {"Spheres", spheres},
           {"Mixture", mixture},
           {"GridAlongTheAxes", gridAlongTheAxes},
-          {"LatticeOfCubes", latticeOfCubes, 1e-4},
+          {"LatticeOfCubes", latticeOfCubes},
           {"FarFromTheOrigin", farFromTheOrigin},
           {"DeepTree", deepTree},
           {"TorusMesh", torusMesh}};

@@ -21,10 +21,6 @@ struct SceneAndRays {
 struct TraversalScene {
   const char* name;
   SceneAndRays (*make)(std::size_t rayCount);
-  // The share of rays that may hit another primitive than brute force does, at the same distance. Where a hit
-  // is near compared with the size of its triangle, rounding moves it by more than the boxes are padded by,
-  // and the box of a second triangle there can seem to lie behind it.
-  double maxTies = 0.0;
 };
 
 // All of them, and what one is called in the names of the tests.
