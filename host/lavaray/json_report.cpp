@@ -44,12 +44,15 @@ Json bvhJson(const HierarchyReport& hierarchy) {
           {"sahCost", built.sahCost}};
 }
 
-Json raysJson(const TraceCounts& counts) {
-  return {{"camera", counts.samples},
-          {"mirror", counts.mirrorRays},
-          {"shadow", counts.shadowRays},
-          {"skippedCamera", counts.skippedSamples},
-          {"skippedShadow", counts.skippedShadowRays}};
+Json raysJson(const TraceCounts& counts, const RayRates& rates) {
+  return {
+      {"camera", counts.samples},
+      {"mirror", counts.mirrorRays},
+      {"shadow", counts.shadowRays},
+      {"skippedCamera", counts.skippedSamples},
+      {"skippedShadow", counts.skippedShadowRays},
+      {"perSecond",
+       {{"camera", rates.camera}, {"mirror", rates.mirror}, {"shadow", rates.shadow}, {"all", rates.all()}}}};
 }
 
 Json samplingJson(const RenderStatistics& render) {
@@ -111,7 +114,7 @@ void writeJsonCheck(std::FILE* stream, const SceneReport& scene, const ImageSize
 void writeJsonReport(std::FILE* stream, const RunReport& report) {
   Json json = inputJson(report.scene, report.picture);
   json["bvh"] = bvhJson(report.hierarchy);
-  json["rays"] = raysJson(report.render.counts);
+  json["rays"] = raysJson(report.render.counts, report.rayRates);
   json["sampling"] = samplingJson(report.render);
   json["device"] = deviceJson(report.device, report.render);
   json["memory"] = {{"peakBytes", report.peakMemoryBytes}};

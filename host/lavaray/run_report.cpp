@@ -14,6 +14,16 @@ HierarchyReport reportHierarchy(const GpuScene& scene) {
           .traversedDepth = scene.bvhDepth};
 }
 
+RayRates reportRayRates(const RenderStatistics& render) {
+  const double seconds = render.activity.seconds;
+  const auto rate = [&](std::uint64_t rays) {
+    return seconds > 0.0 ? static_cast<double>(rays) / seconds : 0.0;
+  };
+  return {.camera = rate(render.counts.samples),
+          .mirror = rate(render.counts.mirrorRays),
+          .shadow = rate(render.counts.shadowRays)};
+}
+
 std::size_t peakMemoryBytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -52,6 +62,7 @@ RunReport reportRun(const Scene& scene, const GpuScene& gpuScene, const ImageSiz
           .picture = picture,
           .hierarchy = reportHierarchy(gpuScene),
           .render = render,
+          .rayRates = reportRayRates(render),
           .device = device,
           .peakMemoryBytes = peakMemoryBytes(),
           .times = times};

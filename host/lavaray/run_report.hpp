@@ -44,12 +44,22 @@ struct HierarchyReport {
   std::uint32_t traversedDepth;
 };
 
+// Rays a second, from when the device began to trace until it ended; 0 where it traced nothing.
+struct RayRates {
+  double camera;
+  double mirror;
+  double shadow;
+
+  [[nodiscard]] double all() const { return camera + mirror + shadow; }
+};
+
 // All that --stats and --json say of a run.
 struct RunReport {
   SceneReport scene;
   ImageSize picture;  // the whole, of which only a crop may have been rendered
   HierarchyReport hierarchy;
   RenderStatistics render;
+  RayRates rayRates;
   vulkan::DeviceDescription device;
   std::size_t peakMemoryBytes;  // of the process, so far
   StepTimes times;

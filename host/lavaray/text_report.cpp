@@ -24,13 +24,19 @@ void printHierarchy(std::ostream& out, const HierarchyReport& hierarchy) {
   out << "\n  SAH cost        " << built.sahCost << '\n';
 }
 
-void printRender(std::ostream& out, const RenderStatistics& render) {
+double millions(double number) {
+  return 1e-6 * number;
+}
+
+void printRender(std::ostream& out, const RenderStatistics& render, const RayRates& rates) {
   out << "rays\n  camera          " << render.counts.samples << " (" << render.samplesPerPixel
       << " a pixel, at most " << render.maxSamples << ")\n  mirror          " << render.counts.mirrorRays
-      << "\n  shadow          " << render.counts.shadowRays << "\nskipped\n  camera rays     "
-      << render.counts.skippedSamples << "\n  shadow rays     " << render.counts.skippedShadowRays
-      << "\n  black pixels    " << render.skippedPixels << "\nsampling\n  stopped         "
-      << stopReasonName(render.stopReason) << '\n';
+      << "\n  shadow          " << render.counts.shadowRays << "\n  a second        " << millions(rates.all())
+      << " M: " << millions(rates.camera) << " M camera, " << millions(rates.mirror) << " M mirror, "
+      << millions(rates.shadow) << " M shadow\nskipped\n  camera rays     " << render.counts.skippedSamples
+      << "\n  shadow rays     " << render.counts.skippedShadowRays << "\n  black pixels    "
+      << render.skippedPixels << "\nsampling\n  stopped         " << stopReasonName(render.stopReason)
+      << '\n';
   if (render.estimatedError > 0.0) {
     out << "  estimated RMSE  " << std::setprecision(6) << render.estimatedError << std::setprecision(2)
         << '\n';
@@ -82,7 +88,7 @@ void printReport(std::ostream& out, const RunReport& report) {
   printScene(out, report.scene);
   out << std::fixed << std::setprecision(2);
   printHierarchy(out, report.hierarchy);
-  printRender(out, report.render);
+  printRender(out, report.render, report.rayRates);
   out << "device\n  name            " << report.device.name << "\n  driver          " << report.device.driver
       << "\n  buffers         " << mebibytes(report.render.deviceBytes) << " MiB\n  dispatches      "
       << report.render.counts.dispatches << '\n';
