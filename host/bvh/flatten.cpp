@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include "base/parallel.hpp"
 #include "base/vector_math.hpp"
@@ -59,7 +58,7 @@ void fillPrimitives(const Primitives& primitives, std::span<const std::uint32_t>
     std::partial_sum(cornerNormals.begin(), cornerNormals.end(), cornerNormals.begin());
   }
   result.primitives.resize(order.size());
-  if (primitives.hasTriangles()) result.trianglePlanes.resize(order.size());
+  if (result.hasTriangles) result.trianglePlanes.resize(order.size());
   result.cornerNormals.resize(cornerNormals.back());
   parallelFor(chunks, threads, [&](std::size_t c) {
     const std::span<gpu::Primitive> shapes =
@@ -100,15 +99,11 @@ WideBvh buildHierarchy(const Primitives& primitives, unsigned threads, GpuScene&
 
 void flattenPrimitives(const Scene& scene, unsigned threads, GpuScene& result) {
   const Primitives primitives(scene);
-  result.hasFewPrimitives = hasFewPrimitives(scene);
   if (primitives.size() == 0) return;
   WideBvh wide = buildHierarchy(primitives, threads, result);
   result.nodes = std::move(wide.nodes);
   result.bvhDepth = wide.depth;
   fillPrimitives(primitives, wide.order, threads, result);
-  result.hasSpheres = !scene.spheres.empty();
-  result.hasTriangles = !result.trianglePlanes.empty();
-  result.hasCornerNormals = !result.cornerNormals.empty();
 }
 
 gpu::Plane flattenPlane(const Plane& plane, const Frame& frame) {
@@ -118,14 +113,10 @@ gpu::Plane flattenPlane(const Plane& plane, const Frame& frame) {
 
 }  // namespace
 
-bool hasFewPrimitives(const Scene& scene) {
-  return primitiveCount(scene) <= gpu::kMaxFewPrimitives;
-}
-
 GpuScene flatten(const Scene& scene, unsigned threads) {
   GpuScene result;
-  flattenPrimitives(scene, threads, result);
   flattenShading(scene, result);
+  flattenPrimitives(scene, threads, result);
   return result;
 }
 
@@ -136,26 +127,22 @@ bool sameGeometry(const Scene& a, const Scene& b) {
 
 void flattenShading(const Scene& scene, GpuScene& flat) {
   const Frame frame = frameOf(scene);
+  static_cast<SceneFeatures&>(flat) = featuresOf(scene);
   flat.imagePlane = imagePlane(scene.camera);
   flat.scale = frame.scale;
   flat.planes.clear();
   for (const Plane& plane : scene.planes) flat.planes.push_back(flattenPlane(plane, frame));
   flat.lights.clear();
-  flat.hasSphericalLights = false;
   for (const Light& light : scene.lights) {
     flat.lights.push_back({frame.position(light.position), frame.length(light.radius), toFloat(light.ambient),
                            0.0F, toFloat(light.diffuse), 0.0F, toFloat(light.specular), 0.0F});
-    flat.hasSphericalLights = flat.hasSphericalLights || light.radius > 0.0;
   }
   flat.materials.clear();
   flat.materials.reserve(scene.materials.size());
-  flat.hasMirrors = false;
   for (const Material& material : scene.materials) {
     flat.materials.push_back({toFloat(material.ambient), toFloat(material.shininess),
                               toFloat(material.diffuse), 0.0F, toFloat(material.specular), 0.0F,
                               toFloat(material.reflectance), 0.0F});
-    flat.hasMirrors = flat.hasMirrors || glm::any(glm::greaterThanEqual(flat.materials.back().reflectance,
-                                                                        glm::vec3(gpu::kMinReflectance)));
   }
 }
 

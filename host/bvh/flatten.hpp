@@ -5,9 +5,6 @@
 
 namespace lavaray {
 
-// Whether the scene has at most gpu::kMaxFewPrimitives primitives, so that rays test every one of them.
-bool hasFewPrimitives(const Scene& scene);
-
 // Throws Error(kInput) if the scene has more than gpu::kMaxReference primitives.
 GpuScene flatten(const Scene& scene, unsigned threads);
 

@@ -6,6 +6,7 @@
 
 #include "base/uninitialized_vector.hpp"
 #include "bvh/bvh.hpp"
+#include "bvh/scene_features.hpp"
 #include "interface.h"
 #include "scene/camera.hpp"
 
@@ -13,10 +14,11 @@ namespace lavaray {
 
 // The scene as the shaders read it: float32, in the coordinates of its Frame (frame.hpp). Getting there in
 // double precision keeps the full precision of coordinates near the camera, wherever the scene lies.
-struct GpuScene {
-  UninitializedVector<gpu::BvhNode> nodes;         // see WideBvh; empty if there are no primitives
-  std::uint32_t bvhDepth = 0;                      // inner nodes on the longest path
-  UninitializedVector<gpu::Primitive> primitives;  // in the order of the BVH's leaves
+struct GpuScene : SceneFeatures {
+  UninitializedVector<gpu::BvhNode> nodes;  // see WideBvh; empty if there are no primitives
+  std::uint32_t bvhDepth = 0;               // inner nodes on the longest path
+  UninitializedVector<gpu::Primitive>
+      primitives;  // in the order of the BVH's leaves; few of them: spheres first
   UninitializedVector<gpu::TrianglePlane>
       trianglePlanes;  // one per primitive if there is a triangle, else empty
   UninitializedVector<gpu::CornerNormal> cornerNormals;  // three for each triangle that has them
@@ -25,12 +27,6 @@ struct GpuScene {
   std::vector<gpu::Material> materials;  // indexed by object
   ImagePlane imagePlane{};               // in pixels of the camera, not in units of the Frame
   double scale = 1.0;                    // of the Frame: its lengths over those of the scene
-  bool hasFewPrimitives = false;         // see flatten.hpp; if so, spheres come before triangles
-  bool hasSpheres = false;
-  bool hasTriangles = false;
-  bool hasCornerNormals = false;
-  bool hasMirrors = false;
-  bool hasSphericalLights = false;
   BvhQuality bvhQuality;
   std::size_t droppedDuplicates = 0;  // primitives that coincide with another and can never be seen
 };

@@ -99,10 +99,6 @@ void Primitives::addRun(Source source, std::size_t begin, std::size_t count, con
   size_ += static_cast<std::uint32_t>(count);
 }
 
-bool Primitives::hasTriangles() const {
-  return !scene_.triangles.empty() || !scene_.meshObjects.empty();
-}
-
 bool Primitives::hasCornerNormals() const {
   return std::ranges::any_of(
       runs_, [](const Run& run) { return run.mesh != nullptr && !run.mesh->normals.empty(); });

@@ -22,7 +22,6 @@ class Primitives {
   explicit Primitives(const Scene& scene);
 
   [[nodiscard]] std::uint32_t size() const { return size_; }
-  [[nodiscard]] bool hasTriangles() const;
   [[nodiscard]] bool hasCornerNormals() const;  // any of them
 
   [[nodiscard]] gpu::Primitive shape(

@@ -31,6 +31,7 @@ class Inputs {
   bool compileShaders(const Files& changed);
   // Makes the scene's arrays for the device; a new hierarchy only if something in it has changed.
   void flatten();
+  [[nodiscard]] bool isFlattened() const { return gpuScene_.has_value(); }  // this scene or a former one
 
   // Whether there is a scene, and the shader that was asked for.
   [[nodiscard]] bool areComplete() const { return scene_ && shader_.isComplete(); }

@@ -20,17 +20,15 @@ struct OpenDevice {
 class FutureDevice {
  public:
   explicit FutureDevice(const Options& options)
-      : future_(std::async(std::launch::async, [&] { return std::make_unique<OpenDevice>(options); })) {}
+      : opening_(std::async(std::launch::async, [&] { return std::make_shared<OpenDevice>(options); })) {}
 
   // Waits for it the first time. Throws Error(kDevice) if there is none.
-  OpenDevice& get() {
-    if (!device_) device_ = future_.get();
-    return *device_;
-  }
+  OpenDevice& get() const { return *opening_.get(); }
+  // For another thread to wait for it.
+  [[nodiscard]] std::shared_future<std::shared_ptr<OpenDevice>> opening() const { return opening_; }
 
  private:
-  std::future<std::unique_ptr<OpenDevice>> future_;
-  std::unique_ptr<OpenDevice> device_;
+  std::shared_future<std::shared_ptr<OpenDevice>> opening_;
 };
 
 }  // namespace lavaray

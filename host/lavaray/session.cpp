@@ -11,6 +11,7 @@
 #include "lavaray/origin.hpp"
 #include "lavaray/run_report.hpp"
 #include "lavaray/text_report.hpp"
+#include "render/preparation.hpp"
 
 namespace lavaray {
 namespace {
@@ -92,10 +93,13 @@ void Session::printWarnings() {
 }
 
 ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
-  const Plan plan = makePlan();
+  Plan plan = makePlan();
   Files files(options_);
   files.outputs.checkSize(plan.part.width(), plan.part.height());
+  const std::unique_ptr<Preparation> preparation = beginPreparation(plan.settings);
   buildHierarchy();
+  if (preparation && preparation->stop()) minStackSize_ = plan.settings.minStackSize;
+  plan.settings.minStackSize = minStackSize_;
   OpenDevice& open = openDevice();
   const std::string& deviceName = open.device.description().name;
   viewer_.open(plan.settings.size);
@@ -130,6 +134,14 @@ Session::Plan Session::makePlan() const {
   RenderSettings settings = renderSettings(options_, size, part);
   settings.shader = inputs_.shader();
   return {settings, part};
+}
+
+// Before the first hierarchy: later ones are built with the pipeline of the first at hand.
+std::unique_ptr<Preparation> Session::beginPreparation(RenderSettings& settings) {
+  const SceneFeatures features = featuresOf(inputs_.scene());
+  if (inputs_.isFlattened() || !isWorthPreparing(features, settings)) return nullptr;
+  settings.minStackSize = expectedStackSize(features.primitiveCount);
+  return std::make_unique<Preparation>(device_, features, settings);
 }
 
 void Session::buildHierarchy() {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,6 +12,7 @@
 #include "lavaray/layers.hpp"
 #include "lavaray/options.hpp"
 #include "lavaray/outputs.hpp"
+#include "lavaray/preparation.hpp"
 #include "lavaray/render_context.hpp"
 #include "lavaray/step_times.hpp"
 #include "lavaray/viewer.hpp"
@@ -53,6 +56,7 @@ class Session {
 
   // The steps of renderAndWrite. Those that return a bool return false if the picture is out of date.
   [[nodiscard]] Plan makePlan() const;
+  std::unique_ptr<Preparation> beginPreparation(RenderSettings& settings);
   void buildHierarchy();
   OpenDevice& openDevice();
   bool traceLayers(Layers& layers, const Plan& plan, const IsOutdated& isOutdated);
@@ -71,6 +75,7 @@ class Session {
   Inputs inputs_;
   StepTimes times_;
   Viewer viewer_;
+  std::uint32_t minStackSize_ = 0;  // of the pipeline that was prepared
 };
 
 }  // namespace lavaray

@@ -40,6 +40,8 @@ struct RenderSettings {
   bool specialized = true;
   // Reads the scene from storage buffers even where texels reach; for comparison.
   bool sceneInStorage = false;
+  // Entries of the traversal's stack, at least; those of a prepared pipeline.
+  std::uint32_t minStackSize = 0;
   // The most rays that an invocation traces together, of kRaysPerLane; empty is what the work is worth.
   std::optional<std::uint32_t> raysPerLane;
 };

@@ -19,9 +19,15 @@ constexpr double kRaysWorthTwo = 2e6;
 constexpr double kRaysWorthFour = 5e6;
 
 // A user's shader reads texels.
-bool readsStorage(const vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings) {
+bool readsStorage(const RenderSettings& settings, vulkan::BufferUse sceneUse) {
   if (!settings.shader.empty()) return false;
-  return settings.sceneInStorage || sceneUse(device, scene) == vulkan::BufferUse::kStorage;
+  return settings.sceneInStorage || sceneUse == vulkan::BufferUse::kStorage;
+}
+
+// Samples of a pixel, roughly where they follow a target error.
+std::uint32_t samplesOf(const RenderSettings& settings) {
+  if (settings.targetError) return std::min(settings.maxSamples, 16U);
+  return sampleRange(settings).end - sampleRange(settings).first;
 }
 
 gpu::uint samplingOf(const RenderSettings& settings) {
@@ -38,8 +44,31 @@ void generalize(std::vector<std::uint32_t>& values) {
   values[gpu::kSpecStackSize] = gpu::kMaxBvhDepth;
 }
 
-std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSettings& settings) {
-  std::vector<std::uint32_t> values = specializationFor(scene);
+// The stack holds the rest of every node on the path, that of the node above the root included.
+std::uint32_t stackFor(std::uint32_t bvhDepth) {
+  return std::max(bvhDepth, 1U);
+}
+
+std::vector<std::uint32_t> describe(const SceneFeatures& scene) {
+  std::vector<std::uint32_t> values(gpu::kSpecCount);
+  values[gpu::kSpecHasSpheres] = scene.hasSpheres ? 1 : 0;
+  values[gpu::kSpecHasTriangles] = scene.hasTriangles ? 1 : 0;
+  values[gpu::kSpecHasCornerNormals] = scene.hasCornerNormals ? 1 : 0;
+  values[gpu::kSpecPlaneCount] = scene.planeCount;
+  values[gpu::kSpecLightCount] = scene.lightCount;
+  values[gpu::kSpecHasMirrors] = scene.hasMirrors ? 1 : 0;
+  values[gpu::kSpecHasSphericalLights] = scene.hasSphericalLights ? 1 : 0;
+  if (scene.hasFewPrimitives) {
+    values[gpu::kSpecFewSpheres] = static_cast<std::uint32_t>(scene.sphereCount);
+    values[gpu::kSpecFewTriangles] = static_cast<std::uint32_t>(scene.primitiveCount - scene.sphereCount);
+  }
+  return values;
+}
+
+std::vector<std::uint32_t> specialization(const SceneFeatures& scene, std::uint32_t bvhDepth,
+                                          const RenderSettings& settings) {
+  std::vector<std::uint32_t> values = describe(scene);
+  values[gpu::kSpecStackSize] = std::max(stackFor(bvhDepth), settings.minStackSize);
   values[gpu::kSpecSampling] = samplingOf(settings);
   values[gpu::kSpecCountRays] = settings.countRays ? 1 : 0;
   values[gpu::kSpecHasEntryNodes] = settings.specialized && !scene.hasFewPrimitives ? 1 : 0;
@@ -56,13 +85,13 @@ std::vector<std::uint32_t> specialization(const GpuScene& scene, const RenderSet
 
 // Where there is nothing a sample is black, though a user's shader may see it differently. One sample of each
 // pixel is as fast as a list of the pixels where something is.
-bool skipsEmptyTiles(const GpuScene& scene, const RenderSettings& settings) {
+bool skipsEmptyTiles(const SceneFeatures& scene, const RenderSettings& settings) {
   if (!settings.specialized || takesCenters(settings) || !settings.shader.empty()) return false;
-  return scene.planes.empty() && !scene.hasFewPrimitives;
+  return scene.planeCount == 0 && !scene.hasFewPrimitives;
 }
 
 // By the shadow rays of one work item. Most samples look at a spherical light in a single direction.
-Expectation finishesItems(const PipelineVariant& variant, const GpuScene& scene) {
+Expectation finishesItems(const PipelineVariant& variant, const SceneFeatures& scene) {
   const std::uint64_t usual =
       std::uint64_t{gpu::kMaxSamplesPerItem} * variant.lights * (1 + std::uint64_t{variant.maxDepth});
   const std::uint64_t most = usual * (scene.hasSphericalLights ? gpu::kClampedLightDirections : 1);
@@ -70,25 +99,18 @@ Expectation finishesItems(const PipelineVariant& variant, const GpuScene& scene)
   return usual <= gpu::kMaxShadowRaysPerDispatch ? Expectation::kLikely : Expectation::kNo;
 }
 
-// Samples of a pixel, roughly where they follow a target error.
-std::uint32_t samplesOf(const RenderSettings& settings) {
-  if (settings.targetError) return std::min(settings.maxSamples, 16U);
-  return sampleRange(settings).end - sampleRange(settings).first;
-}
-
 // The more rays, the faster; but the longer a driver compiles, be it only to find that it has done so before
 // (tools/bench_speed/traversal.md). What a GPU gains or loses is not known yet. Rays search a hierarchy
 // together, and only a single ray's tests are counted, only a single path is resumed.
-std::uint32_t raysPerLane(const vulkan::Device& device, const PipelineVariant& variant, const GpuScene& scene,
-                          const RenderSettings& settings) {
-  const bool traverses = !scene.nodes.empty() && !scene.hasFewPrimitives;
+std::uint32_t raysPerLane(const vulkan::Device& device, const PipelineVariant& variant,
+                          const SceneFeatures& scene, const RenderSettings& settings) {
+  const bool traverses = scene.primitiveCount > 0 && !scene.hasFewPrimitives;
   if (!traverses || variant.finishesItems == Expectation::kNo || !settings.shader.empty() ||
       settings.view == View::kCost)
     return 1;
   if (settings.raysPerLane) return *settings.raysPerLane;
   if (!device.description().isCpu) return 1;
-  const double samples = samplesOf(settings);
-  const double rays = static_cast<double>(settings.crop.pixels()) * samples * (1.0 + variant.lights);
+  const double rays = estimatedRays(variant.lights, settings);
   if (rays < kRaysWorthTwo) return 1;
   return rays < kRaysWorthFour || samplesOf(settings) == 2 ? 2 : 4;
 }
@@ -111,39 +133,33 @@ std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool has
   return renderSpirv;
 }
 
+double estimatedRays(std::uint32_t lights, const RenderSettings& settings) {
+  return static_cast<double>(settings.crop.pixels()) * samplesOf(settings) * (1.0 + lights);
+}
+
 std::vector<std::uint32_t> specializationFor(const GpuScene& scene) {
-  std::vector<std::uint32_t> values(gpu::kSpecCount);
-  values[gpu::kSpecHasSpheres] = scene.hasSpheres ? 1 : 0;
-  values[gpu::kSpecHasTriangles] = scene.hasTriangles ? 1 : 0;
-  values[gpu::kSpecHasCornerNormals] = scene.hasCornerNormals ? 1 : 0;
-  values[gpu::kSpecPlaneCount] = static_cast<std::uint32_t>(scene.planes.size());
-  values[gpu::kSpecLightCount] = static_cast<std::uint32_t>(scene.lights.size());
-  values[gpu::kSpecHasMirrors] = scene.hasMirrors ? 1 : 0;
-  values[gpu::kSpecHasSphericalLights] = scene.hasSphericalLights ? 1 : 0;
-  if (scene.hasFewPrimitives) {
-    const auto isSphere = [](const gpu::Primitive& primitive) {
-      return primitive.kind == gpu::kPrimitiveSphere;
-    };
-    const auto spheres = std::ranges::count_if(scene.primitives, isSphere);
-    values[gpu::kSpecFewSpheres] = static_cast<std::uint32_t>(spheres);
-    values[gpu::kSpecFewTriangles] =
-        static_cast<std::uint32_t>(scene.primitives.size()) - values[gpu::kSpecFewSpheres];
-  }
-  // The traversal's stack holds the rest of every node on the path, that of the node above the root included.
-  values[gpu::kSpecStackSize] = std::max(scene.bvhDepth, 1U);
+  std::vector<std::uint32_t> values = describe(scene);
+  values[gpu::kSpecStackSize] = stackFor(scene.bvhDepth);
   return values;
 }
 
 PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scene,
                               const RenderSettings& settings) {
+  return chooseVariant(device, scene, scene.bvhDepth, sceneUse(device, scene), settings);
+}
+
+PipelineVariant chooseVariant(const vulkan::Device& device, const SceneFeatures& scene,
+                              std::uint32_t bvhDepth, vulkan::BufferUse sceneUse,
+                              const RenderSettings& settings) {
   PipelineVariant variant;
-  const bool inStorage = readsStorage(device, scene, settings);
+  const bool inStorage = readsStorage(settings, sceneUse);
   variant.sceneUse = inStorage ? vulkan::BufferUse::kStorage : vulkan::BufferUse::kTexels;
-  variant.specialization = specialization(scene, settings);
-  if (tracesLights(settings.view)) variant.lights = static_cast<std::uint32_t>(scene.lights.size());
+  variant.specialization = specialization(scene, bvhDepth, settings);
+  if (tracesLights(settings.view)) variant.lights = scene.lightCount;
   if (scene.hasMirrors && tracesMirrors(settings.view)) variant.maxDepth = settings.maxDepth;
   variant.skipsEmptyTiles = skipsEmptyTiles(scene, settings);
   if (settings.specialized) variant.finishesItems = finishesItems(variant, scene);
+  variant.specialization[gpu::kSpecResumable] = variant.finishesItems == Expectation::kNo ? 1 : 0;
   variant.raysPerLane = raysPerLane(device, variant, scene, settings);
   variant.resumable = inStorage ? renderFromStorageSpirv : shaderOf(settings, scene.hasFewPrimitives);
   variant.shader = variant.raysPerLane == 1 ? variant.resumable : moduleOf(variant.raysPerLane, inStorage);

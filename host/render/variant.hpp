@@ -31,8 +31,16 @@ struct PipelineVariant {
 PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scene,
                               const RenderSettings& settings);
 
+// The same for a scene whose hierarchy has that depth, and whose arrays are read in that way.
+PipelineVariant chooseVariant(const vulkan::Device& device, const SceneFeatures& scene,
+                              std::uint32_t bvhDepth, vulkan::BufferUse sceneUse,
+                              const RenderSettings& settings);
+
 // The SPIR-V that a render with these settings runs if the scene's arrays are small enough for texels.
 std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives);
+
+// Roughly the rays that a render of a scene with so many lights traces.
+double estimatedRays(std::uint32_t lights, const RenderSettings& settings);
 
 // The specialization constants that say what the scene has; all others are 0.
 std::vector<std::uint32_t> specializationFor(const GpuScene& scene);

@@ -47,6 +47,11 @@ void checkReach(const Device& device, const std::string& name, BufferUse use, st
 
 }  // namespace
 
+VkDescriptorType descriptorType(BufferUse use) {
+  return use == BufferUse::kTexels ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
+                                   : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+}
+
 Buffer::Buffer(Device& device, const std::string& name, std::size_t size, BufferUse use,
                VkBufferUsageFlags usage, std::span<const VkMemoryPropertyFlags> memoryWishes)
     : device_(&device), size_(size), use_(use) {

@@ -13,6 +13,8 @@ enum class BufferUse {
   kTexels,   // read through a view of RGBA32_UINT texels
 };
 
+VkDescriptorType descriptorType(BufferUse use);
+
 inline constexpr std::size_t kTexelBytes = 16;
 
 // A buffer and its memory. `name` is what error messages call it.

@@ -5,15 +5,6 @@
 #include "vulkan/result.hpp"
 
 namespace lavaray::vulkan {
-namespace {
-
-VkDescriptorType descriptorType(const Buffer& buffer) {
-  return buffer.use() == BufferUse::kTexels ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
-                                            : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-}
-
-}  // namespace
-
 ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spirv,
                              std::span<const std::uint32_t> specialization, std::span<const Buffer> buffers,
                              std::size_t pushConstantSize, std::span<const Buffer> ownBuffers)
@@ -22,7 +13,7 @@ ComputeShader::ComputeShader(Device& device, std::span<const std::uint32_t> spir
   for (const Buffer& buffer : buffers) all.push_back(&buffer);
   for (const Buffer& buffer : ownBuffers) all.push_back(&buffer);
   std::vector<VkDescriptorType> bindings;
-  for (const Buffer* buffer : all) bindings.push_back(descriptorType(*buffer));
+  for (const Buffer* buffer : all) bindings.push_back(descriptorType(buffer->use()));
   pipeline_ = device.pipelines().get({spirv, specialization, bindings, pushConstantSize});
   createSet(all);
   work_ = std::make_unique<Submission>(device);
@@ -32,7 +23,7 @@ void ComputeShader::createSet(std::span<const Buffer* const> buffers) {
   const auto count = static_cast<std::uint32_t>(buffers.size());
   const std::string what = "for the shader's " + std::to_string(count) + " buffers";
   std::vector<VkDescriptorPoolSize> sizes;
-  for (const Buffer* buffer : buffers) sizes.push_back({descriptorType(*buffer), 1});
+  for (const Buffer* buffer : buffers) sizes.push_back({descriptorType(buffer->use()), 1});
   VkDescriptorPoolCreateInfo poolInfo{};
   poolInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
   poolInfo.maxSets = 1;
@@ -60,7 +51,7 @@ void ComputeShader::createSet(std::span<const Buffer* const> buffers) {
     writes[i].dstSet = set_;
     writes[i].dstBinding = i;
     writes[i].descriptorCount = 1;
-    writes[i].descriptorType = descriptorType(*buffers[i]);
+    writes[i].descriptorType = descriptorType(buffers[i]->use());
     writes[i].pBufferInfo = &ranges[i];
     writes[i].pTexelBufferView = &views[i];
   }

@@ -94,8 +94,12 @@ DeviceDescription describe(VkPhysicalDevice device) {
     vkGetPhysicalDeviceProperties2(device, &properties);
     driverName = std::string(driver.driverName) + " " + driver.driverInfo;
   }
-  return {device,     first.deviceName,         kindOf(first.deviceType),
-          driverName, rankOf(first.deviceType), isNew && hasComputeQueue(device),
+  return {device,
+          first.deviceName,
+          kindOf(first.deviceType),
+          driverName,
+          rankOf(first.deviceType),
+          isNew && hasComputeQueue(device),
           first.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU};
 }
 

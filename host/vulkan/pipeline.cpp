@@ -1,6 +1,7 @@
 #include "vulkan/pipeline.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <string>
 
 #include "vulkan/result.hpp"
@@ -87,17 +88,51 @@ bool Pipelines::Kept::isOf(const PipelineSource& source) const {
          std::ranges::equal(bindings, source.bindings) && std::ranges::equal(spirv, source.spirv);
 }
 
-std::shared_ptr<const Pipeline> Pipelines::get(const PipelineSource& source) {
-  const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) { return kept.isOf(source); });
-  if (known != kept_.end()) {
-    kept_.splice(kept_.begin(), kept_, known);
-  } else {
-    Kept made(source);
-    made.pipeline = std::make_shared<const Pipeline>(device_, source);
-    kept_.push_front(std::move(made));
+Pipelines::Made Pipelines::make(const PipelineSource& source) {
+  std::promise<std::shared_ptr<const Pipeline>> promise;
+  Made made;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) { return kept.isOf(source); });
+    if (known != kept_.end()) {
+      kept_.splice(kept_.begin(), kept_, known);
+      return kept_.front().made;
+    }
+    kept_.emplace_front(source);
+    made = kept_.front().made = promise.get_future().share();
     if (kept_.size() > kMaxKept) kept_.pop_back();
   }
-  return kept_.front().pipeline;
+  try {
+    promise.set_value(std::make_shared<const Pipeline>(device_, source));
+  } catch (...) {
+    promise.set_exception(std::current_exception());
+  }
+  return made;
+}
+
+std::shared_ptr<const Pipeline> Pipelines::get(const PipelineSource& source) {
+  const Made made = make(source);
+  try {
+    return made.get();
+  } catch (...) {
+    // Another attempt may fare better.
+    const std::lock_guard lock(mutex_);
+    kept_.remove_if([&](const Kept& kept) { return kept.isOf(source); });
+    throw;
+  }
+}
+
+void Pipelines::prepare(const PipelineSource& source) noexcept {
+  try {
+    make(source);
+  } catch (...) {
+    // There was not even room to remember it: get() tries for itself.
+  }
+}
+
+void Pipelines::clear() {
+  const std::lock_guard lock(mutex_);
+  kept_.clear();
 }
 
 }  // namespace lavaray::vulkan

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <list>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -36,16 +38,22 @@ class Pipeline {
   Handle<VkPipeline, &vkDestroyPipeline> pipeline_;
 };
 
-// A device's most recently used pipelines: making one can take a driver longer than a whole render.
+// A device's most recently used pipelines: making one can take a driver longer than a whole render. Threads
+// may ask for them together.
 class Pipelines {
  public:
   explicit Pipelines(VkDevice device) : device_(device) {}
 
-  // The one that was made from the same source, or a new one.
+  // The one that was made from the same source, or a new one; waits for one that another thread is making.
+  // Throws Error(kDevice) if it cannot be made, also where it was another thread that found that.
   std::shared_ptr<const Pipeline> get(const PipelineSource& source);
-  void clear() { kept_.clear(); }
+  // Makes the one that get() is expected to be asked for, while another thread does other work. If that
+  // fails, get() tells.
+  void prepare(const PipelineSource& source) noexcept;
+  void clear();
 
  private:
+  using Made = std::shared_future<std::shared_ptr<const Pipeline>>;
   struct Kept {
     explicit Kept(const PipelineSource& source);
     [[nodiscard]] bool isOf(const PipelineSource& source) const;
@@ -54,10 +62,12 @@ class Pipelines {
     std::vector<std::uint32_t> specialization;
     std::vector<VkDescriptorType> bindings;
     std::size_t pushConstantSize;
-    std::shared_ptr<const Pipeline> pipeline;
+    Made made;  // or being made
   };
+  Made make(const PipelineSource& source);
 
   VkDevice device_;
+  std::mutex mutex_;      // of the next one
   std::list<Kept> kept_;  // the most recently used first
 };
 
