@@ -23,14 +23,22 @@ const uint kBatchNoTrace = 2u;  // only reads rays and writes results
 // A ray o + t d, 0 < t < tMax, that does not see the surface `skipped`.
 struct BatchRay {
   vec3 origin;
-  float tMax;  // negative if there is no ray
+  float tMax;  // negative where a lane has no ray
   vec3 direction;
   uint skipped;
 };
 const uint kTexelsPerBatchRay = 2u;
 
 struct BatchConstants {
-  uint rayCount;
+  uint rayCount;  // those that are not there included
+  // Of the picture, for camera rays; see DispatchConstants.
+  uint width;
+  uint height;
+  float focalLength;
+  vec2 pixelSize;
+  vec2 halfImage;
+  uint follower;  // which secondary rays to make: 0 the mirrored ones, 1 + i those to light i
+  uint unused;
 };
 
 #ifdef __cplusplus

@@ -11,12 +11,13 @@ from bench_speed import plot, processes
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
+SIDES = (256, 512, 1024, 2048)  # of pictures, in pixels
 
 DESCRIPTION = """\
 Measures lavaray's speed: rays, pictures and builds against Embree in one process (the program bench-speed, which
 this builds), specialized against general pipelines, and whole programs, from scene file to image file, against
 POV-Ray 3.7. Embree and POV-Ray are optional: what is missing is named. Prints tables and saves them with all times
-(JSON) and a plot of time against size (SVG).
+(JSON) and plots of time against the size of scene and picture (SVG).
 """
 
 EPILOG = """\
@@ -35,8 +36,9 @@ def parse_options(arguments):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("-h", "--help", action="store_true", help="print this and the options of the program bench-speed")
-    add("--only", choices=("rays", "pipelines", "processes"),
-        help="one part: the program bench-speed, specialized against general pipelines, or whole programs")
+    add("--only", choices=("rays", "sizes", "pipelines", "processes"),
+        help="one part: the program bench-speed; the same with pictures of several sizes; specialized against general "
+             "pipelines; or whole programs")
     add("--out", type=Path, default=BUILD / "bench-speed", metavar="FOLDER",
         help="for results (default: build/bench-speed of this checkout)")
     add("--quick", action="store_true", help="a first look: few scenes, 3 rounds")
@@ -45,7 +47,9 @@ def parse_options(arguments):
     options, further = parser.parse_known_args(arguments)
     if options.rounds is None:
         options.rounds = 3 if options.quick else 7
-    options.further = further
+    # One number of rays a lane is quicker, all of them make the plots.
+    all_lanes = [] if options.quick or "--rays-per-lane" in further else ["--rays-per-lane", "4,2,1"]
+    options.further = [*further, *all_lanes]
     if options.help:
         parser.epilog = EPILOG.format(program_help())
         parser.print_help()
@@ -73,20 +77,35 @@ def build(targets):
         subprocess.run(command, cwd=ROOT, stdout=sys.stderr, check=True)
 
 
-def measure_rays(options):
-    file = options.out / "rays.json"
-    command = [program("bench-speed"), "--json", file, "--rounds", str(options.rounds), *options.further]
-    command += ["--quick"] if options.quick else []
+def run_bench_speed(options, name, *arguments):
+    """Prints what the program prints, saves it as NAME.txt, and returns what it saves as NAME.json."""
+    file = options.out / f"{name}.json"
+    command = [program("bench-speed"), "--json", file, "--rounds", str(options.rounds), *arguments]
     command += ["--device", options.device] if options.device else []
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as child:
-        with open(options.out / "rays.txt", "w") as copy:
+        with open(options.out / f"{name}.txt", "w") as copy:
             for line in child.stdout:
                 print(line, end="", flush=True)
                 copy.write(line)
     if child.returncode != 0:
         raise processes.ProgramError(f"bench-speed failed with exit code {child.returncode}")
-    (options.out / "rays.svg").write_text(plot.svg(json.loads(file.read_text())))
+    return json.loads(file.read_text())
+
+
+def measure_rays(options):
+    results = run_bench_speed(options, "rays", *(["--quick"] if options.quick else []), *options.further)
+    (options.out / "rays.svg").write_text(plot.scenes_svg(results))
     print(f"\nsaved in {options.out}: rays.txt, rays.json, rays.svg")
+
+
+def measure_sizes(options):
+    runs = [run_bench_speed(options, f"size-{side}", "--meshes", "bunny", "--parts", "rays,pictures", "--size",
+                            f"{side},{side}", *options.further)
+            for side in SIDES[:2 if options.quick else None]]
+    if any(run["skipped"] for run in runs):
+        return
+    (options.out / "sizes.svg").write_text(plot.sizes_svg(runs))
+    print(f"\nsaved in {options.out}: size-*.txt, size-*.json, sizes.svg")
 
 
 def measure_pipelines(options):
@@ -120,6 +139,8 @@ def main(arguments=None):
         build(["bench-speed", "bench-pipelines", "lavaray", "lavaray-diff"])
         if options.only in (None, "rays"):
             measure_rays(options)
+        if options.only in (None, "sizes"):
+            measure_sizes(options)
         if options.only in (None, "pipelines"):
             measure_pipelines(options)
         if options.only in (None, "processes"):

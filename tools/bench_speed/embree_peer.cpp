@@ -117,6 +117,7 @@ class Embree : public Peer {
   }
 
   static float traceOne(RTCScene scene, const gpu::BatchRay& ray, bool anyHit) {
+    if (!isThere(ray)) return kMiss;
     EmbreeTracer tracer;
     if (anyHit) {
       RTCRay query = makeRay(ray.origin, ray.direction, ray.tMax);
@@ -152,21 +153,22 @@ class Embree : public Peer {
                           std::span<float> distances) {
     EmbreeTracer tracer(batch.isCoherent);
     alignas(32) int valid[8];
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      valid[lane] = lane < count && isThere(batch.rays[first + lane]) ? -1 : 0;
+    }
     if (batch.anyHit) {
       RTCRay8 packet;
       for (std::size_t lane = 0; lane < 8; ++lane) {
-        valid[lane] = lane < count ? -1 : 0;
         fillLane(packet, static_cast<int>(lane), batch.rays[first + std::min(lane, count - 1)]);
       }
       tracer.occluded(valid, scene, &packet);
       for (std::size_t lane = 0; lane < count; ++lane) {
-        distances[first + lane] = packet.tfar[lane] < 0.0F ? 0.0F : kMiss;
+        distances[first + lane] = valid[lane] != 0 && packet.tfar[lane] < 0.0F ? 0.0F : kMiss;
       }
       return;
     }
     RTCRayHit8 packet;
     for (std::size_t lane = 0; lane < 8; ++lane) {
-      valid[lane] = lane < count ? -1 : 0;
       fillLane(packet.ray, static_cast<int>(lane), batch.rays[first + std::min(lane, count - 1)]);
       packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
     }

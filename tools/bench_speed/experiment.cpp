@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <memory>
 
 #include "bvh/flatten.hpp"
@@ -13,19 +14,8 @@
 namespace lavaray::bench {
 namespace {
 
-Batch cameraRays(const ImagePlane& plane, const ImageSize& size) {
-  Batch batch{"camera", false, true, {}};
-  const glm::vec2 half = plane.size / 2.0;
-  const glm::vec2 pixelSize = plane.size / glm::dvec2(size.width, size.height);
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      const glm::vec2 position = (glm::vec2(x, y) + 0.5F) * pixelSize;
-      const glm::vec3 direction(position.x - half.x, half.y - position.y,
-                                -static_cast<float>(plane.distance));
-      batch.rays.push_back({glm::vec3(0.0F), INFINITY, direction, 0xFFFFFFFFU});
-    }
-  }
-  return batch;
+bool measures(const Options& options, const char* part) {
+  return std::ranges::find(options.parts, part) != options.parts.end();
 }
 
 // Distances may differ by how two ways to compute them are rounded, which is most for grazing rays.
@@ -36,19 +26,20 @@ bool agree(float a, float b, bool anyHit) {
   return anyHit || !hitA || std::abs(a - b) <= 1e-4F * std::max(a, b);
 }
 
-BatchResult measureBatch(DeviceTracer& tracer, Peer* peer, const Batch& batch, int rounds) {
+BatchResult measureBatch(DeviceTracer& tracer, Peer* peer, const Batch& batch, const Options& options) {
   tracer.load(batch);
   std::vector<float> distances(batch.rays.size());
-  std::vector<Contestant> contestants{{"lavaray", [&] { tracer.trace(); }}};
+  std::vector<Contestant> contestants{{contestant(tracer.raysPerLane()), [&] { tracer.trace(); }}};
   if (peer != nullptr) {
     for (const Peer::Variant& variant : peer->variants()) {
       contestants.push_back({variant.name, [&, variant] { peer->trace(variant, batch, distances); }});
     }
   }
-  BatchResult result{batch.name, batch.rays.size(), 0, 0, {}, measure(contestants, rounds)};
+  BatchResult result{batch.name, tracer.raysPerLane(), rayCount(batch), 0, 0, {}, {}};
+  result.timings = measure(contestants, options.rounds);
   // Not a contestant: the part of lavaray's time that is reading rays and writing results.
   result.timings.push_back(
-      measure({{"(lavaray, no tracing)", [&] { tracer.readAndWrite(); }}}, rounds).front());
+      measure({{"(lavaray, no tracing)", [&] { tracer.readAndWrite(); }}}, options.rounds).front());
 
   tracer.trace();
   const std::span<const float> found = tracer.distances();
@@ -77,37 +68,52 @@ std::size_t differingPixels(const std::vector<float>& a, const std::vector<float
   return differing;
 }
 
+// The renderer, tracing a picture without keeping it anywhere but in `rgb`.
+class PictureTracer {
+ public:
+  PictureTracer(vulkan::Device& device, const GpuScene& scene, const RenderSettings& settings)
+      : pixels_(settings.crop.pixels()), tracer_(device, scene, settings, settings.crop, pixels_) {
+    // In its first runs the renderer finds the size of its dispatches.
+    std::vector<float> rgb(3 * pixels_);
+    for (int i = 0; i < 2; ++i) trace(rgb);
+  }
+  void trace(std::vector<float>& rgb) {
+    const auto take = [&](std::uint64_t first, std::span<const gpu::WorkResult> results) {
+      float* value = &rgb[3 * first];
+      for (const gpu::WorkResult& result : results) value = std::copy_n(&result.sum.x, 3, value);
+    };
+    tracer_.run(uniformPass(pixels_, {0, 1}), 0, take, [] { return false; });
+  }
+
+ private:
+  std::uint64_t pixels_;
+  Tracer tracer_;
+};
+
 PictureResult measurePicture(vulkan::Device& device, const GpuScene& gpuScene, Peer* peer,
                              const Options& options) {
-  const ImageSize size = options.size;
-  const std::uint64_t pixels =
-      static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
   RenderSettings settings;
-  settings.size = size;
-  settings.crop = {0, 0, size.width, size.height};
-  Tracer tracer(device, gpuScene, settings, settings.crop, pixels);
-  std::vector<float> rgb(3 * pixels);
-  std::vector<float> peerRgb(3 * pixels);
-  const auto take = [&](std::uint64_t first, std::span<const gpu::WorkResult> results) {
-    float* value = &rgb[3 * first];
-    for (const gpu::WorkResult& result : results) value = std::copy_n(&result.sum.x, 3, value);
-  };
-  std::vector<Contestant> contestants{
-      {"lavaray", [&] {
-         tracer.run(uniformPass(pixels, {0, 1}), 0, take, [] { return false; });
-       }}};
+  settings.size = options.size;
+  settings.crop = {0, 0, options.size.width, options.size.height};
+  std::vector<float> rgb(3 * settings.crop.pixels());
+  std::vector<float> peerRgb(rgb.size());
+  std::deque<PictureTracer> tracers;
+  std::vector<Contestant> contestants;
+  for (const unsigned rays : options.raysPerLane) {
+    settings.raysPerLane = rays;
+    PictureTracer& tracer = tracers.emplace_back(device, gpuScene, settings);
+    contestants.push_back({contestant(rays), [&] { tracer.trace(rgb); }});
+  }
   if (peer != nullptr) {
     for (const Peer::Variant& variant : peer->variants()) {
       if (variant.usesPackets) continue;
-      contestants.push_back({variant.name, [&, variant] { peer->render(variant, size, peerRgb); }});
+      contestants.push_back({variant.name, [&, variant] { peer->render(variant, options.size, peerRgb); }});
     }
   }
-  // In its first runs the renderer finds the size of its dispatches.
-  for (int i = 0; i < 2; ++i) contestants.front().run();
   PictureResult result;
   result.timings = measure(contestants, options.rounds);
   if (peer != nullptr) {
-    peer->render(peer->variants().front(), size, peerRgb);
+    peer->render(peer->variants().front(), options.size, peerRgb);
     result.differingPixels = differingPixels(rgb, peerRgb);
   }
   return result;
@@ -125,6 +131,27 @@ std::vector<Timing> measureBuilds(const Scene& scene, Peer* peer, const Options&
   return measure(contestants, options.rounds);
 }
 
+// Measures the rays, in the order for each number of rays a lane. Returns how many a picture has.
+std::size_t measureRays(vulkan::Device& device, const GpuScene& gpuScene, Peer* peer, const Options& options,
+                        SceneResult& result, const Progress& tell) {
+  std::size_t ofPicture = 0;
+  for (const unsigned raysPerLane : options.raysPerLane) {
+    DeviceTracer tracer(device, gpuScene, raysPerLane);
+    result.bytes = tracer.sceneBytes();
+    const PictureBatches batches = tracer.pictureRays(gpuScene.imagePlane, options.size);
+    ofPicture = rayCount(batches.camera) + rayCount(batches.shadow);
+    if (!measures(options, "rays")) break;
+    for (const Batch* batch : {&batches.camera, &batches.shadow, &batches.mirror}) {
+      // From a sphere's own surface Embree sees the sphere's far side, lavaray does not: that is not the same
+      // work.
+      if (result.isSpheres && batch != &batches.camera) continue;
+      tell(batch->name + " rays, " + std::to_string(raysPerLane) + " a lane");
+      result.batches.push_back(measureBatch(tracer, peer, *batch, options));
+    }
+  }
+  return ofPicture;
+}
+
 }  // namespace
 
 SceneResult measureScene(vulkan::Device& device, const BenchScene& scene, const Options& options,
@@ -135,27 +162,16 @@ SceneResult measureScene(vulkan::Device& device, const BenchScene& scene, const 
   const GpuScene gpuScene = flatten(scene.scene, options.threads);
   const std::unique_ptr<Peer> peer = openEmbree(scene.scene, options.threads);
   if (peer) result.peerBytes = peer->sceneBytes();
-  {
-    DeviceTracer tracer(device, gpuScene);
-    result.bytes = tracer.sceneBytes();
-    PictureBatches batches = tracer.follow(cameraRays(gpuScene.imagePlane, options.size));
-    result.picture.rays = batches.camera.rays.size() + batches.shadow.rays.size();
-    // From a sphere's own surface Embree sees the sphere's far side, lavaray does not: that is not the same
-    // work.
-    if (scene.isSpheres) batches.shadow.rays = batches.mirror.rays = {};
-    for (const Batch* batch : {&batches.camera, &batches.shadow, &batches.mirror}) {
-      tell(batch->name + " rays");
-      if (!batch->rays.empty()) {
-        result.batches.push_back(measureBatch(tracer, peer.get(), *batch, options.rounds));
-      }
-    }
+  const std::size_t rays = measureRays(device, gpuScene, peer.get(), options, result, tell);
+  if (measures(options, "pictures")) {
+    tell("the picture");
+    result.picture = measurePicture(device, gpuScene, peer.get(), options);
   }
-  tell("the picture");
-  const std::size_t rays = result.picture.rays;
-  result.picture = measurePicture(device, gpuScene, peer.get(), options);
   result.picture.rays = rays;
-  tell("building, in turns");
-  result.builds = measureBuilds(scene.scene, peer.get(), options);
+  if (measures(options, "builds")) {
+    tell("building, in turns");
+    result.builds = measureBuilds(scene.scene, peer.get(), options);
+  }
   return result;
 }
 

@@ -28,6 +28,7 @@ Json timingsJson(const std::vector<Timing>& timings) {
 
 Json batchJson(const BatchResult& batch) {
   return {{"name", batch.name},
+          {"rays_per_lane", batch.raysPerLane},
           {"rays", batch.rays},
           {"hits", batch.hits},
           {"unfinished", batch.unfinished},
@@ -60,6 +61,7 @@ void writeJson(std::ostream& out, const Results& results) {
                      {"peer", results.peer},
                      {"threads", results.threads},
                      {"size", Json::array({results.size.width, results.size.height})},
+                     {"rays_per_lane", results.raysPerLane},
                      {"rounds", results.rounds},
                      {"skipped", results.skipped},
                      {"scenes", list(results.scenes, sceneJson)}};

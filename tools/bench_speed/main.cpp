@@ -26,6 +26,7 @@ ExitCode run(const Options& options) {
   results.peer = embreeDescription();
   results.threads = options.threads;
   results.size = options.size;
+  results.raysPerLane = options.raysPerLane;
   results.rounds = options.rounds;
   printHead(std::cout, results);
   for (const std::string& name : options.scenes) {

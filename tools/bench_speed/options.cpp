@@ -36,6 +36,17 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1, 4096));
+  app.add_option("--rays-per-lane", options.raysPerLane,
+                 "How many rays an invocation of lavaray's traces together: one or more of 1, 2 and 4")
+      ->type_name("A,B,..")
+      ->delimiter(',')
+      ->check(CLI::IsMember({1U, 2U, 4U}))
+      ->capture_default_str();
+  app.add_option("--parts", options.parts, "What to measure")
+      ->type_name("A,B,..")
+      ->delimiter(',')
+      ->check(CLI::IsMember(options.parts))
+      ->capture_default_str();
   app.add_flag("--quick", quick, "A first look: few scenes, 3 rounds");
   app.add_option("--threads", options.threads, "Threads of Embree and of building; the device has its own")
       ->type_name("N")

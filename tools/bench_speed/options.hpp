@@ -13,6 +13,8 @@ struct Options {
   std::vector<std::string> scenes;  // names, see sceneNames()
   std::filesystem::path meshFolder;
   ImageSize size{512, 512};
+  std::vector<unsigned> raysPerLane{4};  // that lavaray traces together
+  std::vector<std::string> parts{"rays", "pictures", "builds"};
   int rounds = 7;
   unsigned threads = 1;        // of builds and peers; the device has its own
   std::string device;          // empty: the best one

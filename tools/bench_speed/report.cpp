@@ -21,13 +21,13 @@ const Timing* find(const std::vector<Timing>& timings, const std::string& name) 
 void printTimings(std::ostream& out, const std::vector<Timing>& timings, std::size_t items,
                   const char* item) {
   const Timing* reference = find(timings, kReference);
-  out << std::fixed << "    " << std::left << std::setw(24) << "" << std::right << std::setw(11)
+  out << std::fixed << "    " << std::left << std::setw(26) << "" << std::right << std::setw(11)
       << "cpu ms min" << std::setw(9) << "median" << std::setw(13) << "wall ms min" << std::setw(9)
       << "median" << std::setw(8) << "cpu ns" << '/' << item;
   if (reference != nullptr) out << "  x robust";
   out << '\n';
   for (const Timing& timing : timings) {
-    out << "    " << std::left << std::setw(24) << timing.name << std::right << std::setprecision(1)
+    out << "    " << std::left << std::setw(26) << timing.name << std::right << std::setprecision(1)
         << std::setw(11) << 1e3 * minimum(timing.cpu) << std::setw(9) << 1e3 * median(timing.cpu)
         << std::setw(13) << 1e3 * minimum(timing.wall) << std::setw(9) << 1e3 * median(timing.wall)
         << std::setw(8) << 1e9 * minimum(timing.cpu) / static_cast<double>(items)
@@ -44,18 +44,34 @@ const char* unit(const SceneResult& scene) {
 }
 
 void printBatch(std::ostream& out, const BatchResult& batch) {
-  out << "  " << batch.name << " rays: " << batch.rays << ", of which " << batch.hits << " hit";
+  out << "  " << batch.name << " rays as lanes of " << batch.raysPerLane << " take them: " << batch.rays
+      << ", of which " << batch.hits << " hit";
   if (batch.unfinished > 0) out << ", " << batch.unfinished << " NOT FINISHED";
   if (batch.disagreements) out << "; " << *batch.disagreements << " differ from " << kReference;
   out << '\n';
   printTimings(out, batch.timings, batch.rays, "ray");
 }
 
+void printPicture(std::ostream& out, const PictureResult& picture) {
+  out << "  picture: " << picture.rays << " camera and shadow rays, made and shaded by the contestants";
+  if (picture.differingPixels)
+    out << "; " << *picture.differingPixels << " pixels differ from " << kReference;
+  out << '\n';
+  printTimings(out, picture.timings, picture.rays, "ray");
+}
+
 // Minimum processor nanoseconds per item; - if it was not measured.
-std::string perItem(const std::vector<Timing>& timings, const char* name, std::size_t items) {
+std::string perItem(const std::vector<Timing>& timings, const std::string& name, std::size_t items) {
   const Timing* timing = find(timings, name);
   if (timing == nullptr) return "-";
   return std::to_string(std::llround(1e9 * minimum(timing->cpu) / static_cast<double>(items)));
+}
+
+// Of the camera rays in their first order; - if they were not measured.
+std::string perCameraRay(const SceneResult& scene, const std::string& name) {
+  if (scene.batches.empty()) return "-";
+  const BatchResult& camera = scene.batches.front();
+  return perItem(camera.timings, name, camera.rays);
 }
 
 }  // namespace
@@ -64,7 +80,8 @@ void printHead(std::ostream& out, const Results& results) {
   out << "device   " << results.device << "\nembree   " << results.peer << "\nthreads  " << results.threads
       << " for Embree and for building\npictures " << results.size.width << " x " << results.size.height
       << ", " << results.rounds << " rounds after one that is not counted\n"
-      << "rays     the same arrays for all; lavaray's renderer code in a shader that reads them as texels\n"
+      << "rays     the same arrays for all, in the order in which the renderer's lanes take them; lavaray's "
+         "renderer code\n         in a shader that reads them as texels\n"
       << "picture  the renderer's own shader and dispatches; Embree with single rays and the same shading\n";
   for (const std::string& reason : results.skipped) out << "skipped  " << reason << '\n';
 }
@@ -72,14 +89,11 @@ void printHead(std::ostream& out, const Results& results) {
 void printScene(std::ostream& out, const SceneResult& scene) {
   out << '\n' << scene.name << ": " << scene.what << ", " << scene.primitives << ' ' << unit(scene) << "s\n";
   for (const BatchResult& batch : scene.batches) printBatch(out, batch);
-  out << "  picture: " << scene.picture.rays << " camera and shadow rays, made and shaded by the contestants";
-  if (scene.picture.differingPixels) {
-    out << "; " << *scene.picture.differingPixels << " pixels differ from " << kReference;
+  if (!scene.picture.timings.empty()) printPicture(out, scene.picture);
+  if (!scene.builds.empty()) {
+    out << "  building\n";
+    printTimings(out, scene.builds, scene.primitives, unit(scene));
   }
-  out << '\n';
-  printTimings(out, scene.picture.timings, scene.picture.rays, "ray");
-  out << "  building\n";
-  printTimings(out, scene.builds, scene.primitives, unit(scene));
   out << std::flush;
 }
 
@@ -89,11 +103,11 @@ void printSummary(std::ostream& out, const Results& results) {
       << std::setw(9) << "robust" << std::setw(9) << "default" << std::setw(9) << "packets" << std::setw(13)
       << "build" << std::setw(9) << "embree" << std::setw(13) << "bytes" << std::setw(9) << "embree" << '\n';
   for (const SceneResult& scene : results.scenes) {
-    const BatchResult& camera = scene.batches.front();
     out << "    " << std::left << std::setw(14) << scene.name << std::right << std::setw(10)
         << scene.primitives;
-    for (const char* name : {"lavaray", kReference, "embree default", "embree packets of 8"}) {
-      out << std::setw(9) << perItem(camera.timings, name, camera.rays);
+    for (const std::string& name : {contestant(results.raysPerLane.front()), std::string(kReference),
+                                    std::string("embree default"), std::string("embree packets of 8")}) {
+      out << std::setw(9) << perCameraRay(scene, name);
     }
     out << std::setw(13) << perItem(scene.builds, "lavaray all arrays", scene.primitives) << std::setw(9)
         << perItem(scene.builds, "embree default commit", scene.primitives) << std::setw(13)

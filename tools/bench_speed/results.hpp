@@ -13,6 +13,7 @@ namespace lavaray::bench {
 // Rays traced by all contestants. Without a peer, its figures are absent.
 struct BatchResult {
   std::string name;
+  unsigned raysPerLane = 0;  // by which the rays are ordered, see Batch
   std::size_t rays = 0;
   std::size_t hits = 0;
   std::size_t unfinished = 0;                // searches that lavaray's device cut short
@@ -20,7 +21,8 @@ struct BatchResult {
   std::vector<Timing> timings;
 };
 
-// The whole picture; each contestant makes its own rays and shades its own points.
+// The whole picture; each contestant makes its own rays and shades its own points. Without timings it was not
+// measured.
 struct PictureResult {
   std::size_t rays = 0;                        // camera and shadow rays
   std::optional<std::size_t> differingPixels;  // by more than one level of 255 in a channel
@@ -39,11 +41,17 @@ struct SceneResult {
   std::vector<Timing> builds;
 };
 
+// The name of lavaray as a contestant, tracing so many rays together.
+inline std::string contestant(unsigned raysPerLane) {
+  return "lavaray, " + std::to_string(raysPerLane) + (raysPerLane == 1 ? " ray" : " rays") + " a lane";
+}
+
 struct Results {
   std::string device;
   std::string peer;  // its version, or why it is missing
   unsigned threads = 0;
   ImageSize size;
+  std::vector<unsigned> raysPerLane;
   int rounds = 0;
   std::vector<std::string> skipped;  // scenes, each with the reason
   std::vector<SceneResult> scenes;

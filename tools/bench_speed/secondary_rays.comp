@@ -1,5 +1,6 @@
-// Makes the rays that the renderer traces from the points that given rays hit: the mirrored ray and one
-// shadow ray per light. They are in the order of the given rays, and those of one ray are side by side.
+// Makes rays that the renderer traces from the points that given rays hit: the mirrored rays, or the shadow
+// rays to one light. Each is in its given ray's place, so that lanes trace together what they trace together
+// in the renderer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -15,7 +16,7 @@ layout(push_constant) uniform PushConstants {
   BatchConstants constants;
 };
 
-const BatchRay kNothing = BatchRay(vec3(0.0), -1.0, vec3(0.0), kNoSurface);
+const BatchRay kNothing = BatchRay(vec3(0.0), kNoRay, vec3(0.0), kNoSurface);
 
 BatchRay mirrorRay(vec3 incoming, SurfacePoint point, uint surface) {
   const vec3 direction = incoming - 2.0 * preciseDot(incoming, point.shadingNormal) * point.shadingNormal;
@@ -44,13 +45,13 @@ void main() {
   const bool finished = findHits(false, packet, hits, tests);
   const Hit hit = hits[0];
   const bool isHit = finished && hit.surface != kNoSurface;
-  const uint first = index * (1u + kLightCount);
   SurfacePoint point;
   if (isHit) point = surfacePoint(ray, hit);
-  secondary[first] = kNothing;
-  if (isHit) secondary[first] = mirrorRay(unit(ray.direction), point, hit.surface);
-  for (uint i = 0u; i < kLightCount; ++i) {
-    secondary[first + 1u + i] = kNothing;
-    if (isHit) secondary[first + 1u + i] = shadowRay(fetchLight(i).position, point, hit.surface);
+  secondary[index] = kNothing;
+  if (!isHit) return;
+  if (constants.follower == 0u) {
+    secondary[index] = mirrorRay(unit(ray.direction), point, hit.surface);
+  } else {
+    secondary[index] = shadowRay(fetchLight(constants.follower - 1u).position, point, hit.surface);
   }
 }
