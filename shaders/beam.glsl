@@ -27,8 +27,25 @@ bvec3 entersDownwards(Ray ray) {
   return lessThan(1.0 / ray.direction, vec3(0.0));
 }
 
+// How far apart, relative to the distance from the camera, the origins of a beam's rays may be, and how far,
+// relative to the longer component, their directions. A wider beam enters too much, and the other lanes of
+// its subgroup wait for it; a narrower one leaves rays to another search (tools/bench_speed/traversal.md).
+const float kBeamWidth = 0.01;
+const float kBeamTurn = 0.1;
+
+// Whether a ray may be in the beam of another one.
+bool isAlong(Ray ray, Ray first) {
+  const vec3 apart = abs(ray.origin - first.origin);
+  const vec3 turn = abs(ray.direction - first.direction);
+  return entersDownwards(ray) == entersDownwards(first) &&
+         mainAxis(ray.direction) == mainAxis(first.direction) &&
+         maxComponent(apart) <= kBeamWidth * maxComponent(abs(first.origin)) &&
+         maxComponent(turn) <= kBeamTurn * maxComponent(abs(first.direction));
+}
+
 // The beam of those of the rays that are in it; they must have no denormal numbers.
-Beam beamOf(Ray rays[kRaysPerLane], bool isIn[kRaysPerLane], bvec3 negative, uint axis) {
+Beam beamOf(Ray rays[kRaysPerLane], bool isIn[kRaysPerLane], Ray first) {
+  const bvec3 negative = entersDownwards(first);
   vec3 lowerOrigin = vec3(kInfinity);
   vec3 upperOrigin = vec3(-kInfinity);
   vec3 lowerInverse = vec3(kInfinity);
@@ -42,7 +59,7 @@ Beam beamOf(Ray rays[kRaysPerLane], bool isIn[kRaysPerLane], bvec3 negative, uin
       upperInverse = max(upperInverse, inverse);
     }
   }
-  return Beam(negative, axis, mix(upperOrigin, lowerOrigin, negative),
+  return Beam(negative, mainAxis(first.direction), mix(upperOrigin, lowerOrigin, negative),
               mix(lowerInverse, upperInverse, negative), mix(lowerOrigin, upperOrigin, negative),
               mix(upperInverse, lowerInverse, negative));
 }

@@ -60,8 +60,7 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
   return !isCut && (stack.entries[0] == 0u || (anyHit && farthest(hits) == kNoRay));
 }
 
-// As traverseBeam, for any rays: those whose directions have the same signs and the same main axis as the
-// first one's are a beam, then come the others.
+// As traverseBeam, for any rays: those that are along the first one make a beam, then come the others.
 //
 // The condition in the loop is always true, by the loop's own condition. But what Mesa 22.3's llvmpipe
 // computes in a loop and uses after it, it goes on computing for lanes that have left the loop, unless it is
@@ -76,26 +75,20 @@ bool traverse(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], in
   bool finished = true;
   do {
     if (anyOf(waits)) {
-      bvec3 negative = bvec3(false);
-      uint axis = 0u;
+      Ray first = packet.rays[0];
+      [[unroll]] for (uint r = kRaysPerLane; r > 0u; --r) {
+        if (waits[r - 1u]) first = packet.rays[r - 1u];
+      }
       bool isIn[kRaysPerLane];
-      bool isFirst = true;
       Hit found[kRaysPerLane];
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-        const bvec3 rayNegative = entersDownwards(packet.rays[r]);
-        const uint rayAxis = mainAxis(packet.rays[r].direction);
-        if (waits[r] && isFirst) {
-          negative = rayNegative;
-          axis = rayAxis;
-          isFirst = false;
-        }
-        isIn[r] = waits[r] && rayNegative == negative && rayAxis == axis;
+        isIn[r] = waits[r] && (kRaysPerLane == 1u || isAlong(packet.rays[r], first));
         waits[r] = waits[r] && !isIn[r];
         left -= uint(isIn[r]);
         found[r] = hits[r];
         if (!isIn[r]) found[r].t = kNoRay;
       }
-      const Beam beam = beamOf(packet.rays, isIn, negative, axis);
+      const Beam beam = beamOf(packet.rays, isIn, first);
       finished = traverseBeam(anyHit, packet, beam, found, tests);
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
         if (isIn[r]) hits[r] = found[r];

@@ -23,7 +23,7 @@ float intersectBox(Ray ray, vec3 lower, vec3 upper, float tMax) {
   rays[0] = ray;
   bool isIn[kRaysPerLane];
   isIn[0] = true;
-  const Beam beam = beamOf(rays, isIn, entersDownwards(ray), mainAxis(ray.direction));
+  const Beam beam = beamOf(rays, isIn, ray);
   vec4 near[3];
   vec4 far[3];
   for (int axis = 0; axis < 3; ++axis) {
