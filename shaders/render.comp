@@ -24,7 +24,7 @@ layout(std430, set = 0, binding = kBindingResults) buffer Results {
   WorkResult results[];
 };
 layout(std430, set = 0, binding = kBindingStates) buffer States {
-  WorkState unfinished[];
+  WorkState unfinishedItems[];
 };
 layout(std430, set = 0, binding = kBindingStatus) buffer Status {
   DispatchStatus status;
@@ -121,7 +121,7 @@ void main() {
     // Read in every mode, needed or not: Mesa 26.1's llvmpipe crashes on a buffer that is first read under a
     // condition.
     const float squares = results[only].squares;
-    const WorkState left = unfinished[only];
+    const WorkState left = unfinishedItems[only];
     if (constants.mode != kModeAll && squares >= 0.0) return;
     if (constants.mode == kModeResumed) states[0] = left;
     restore(states[0], path);
@@ -138,7 +138,7 @@ void main() {
   if (kResumable && !finished) {
     save(path, states[0]);
     if (sameProgress(states[0], before)) atomicAdd(status.stuck, 1u);
-    unfinished[only] = states[0];
+    unfinishedItems[only] = states[0];
   }
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     if (lane.isThere[r] && (r == 0u || kSampling == kSamplingCenter))

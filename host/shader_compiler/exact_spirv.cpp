@@ -65,8 +65,11 @@ std::vector<std::uint32_t> markExact(std::span<const std::uint32_t> spirv) {
   return exact;
 }
 
-// SPIRV-Tools' passes for size (2023.1), but for the unrolling of loops in their midst: its copies of an
-// operation lose their mark, and the passes after it would fuse them.
+// What it takes to unroll loops. Nothing is marked yet: the copies of an operation would not have its mark,
+// and passes that come after would fuse them.
+const std::vector<std::string> kUnrolling{"--ssa-rewrite", "--loop-unroll"};
+
+// SPIRV-Tools' passes for size (2023.1), but for the unrolling in their midst.
 const std::vector<std::string> kPasses{"--wrap-opkill",
                                        "--eliminate-dead-branches",
                                        "--merge-return",
@@ -100,15 +103,14 @@ const std::vector<std::string> kPasses{"--wrap-opkill",
                                        "--eliminate-dead-code-aggressive",
                                        "--cfg-cleanup"};
 
-std::vector<std::uint32_t> optimize(const std::vector<std::uint32_t>& spirv,
-                                    const std::vector<std::string>& lastPasses) {
+std::vector<std::uint32_t> optimize(std::span<const std::uint32_t> spirv,
+                                    const std::vector<std::string>& passes) {
   std::string reason = "no reason given";
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   optimizer.SetMessageConsumer([&](spv_message_level_t /*level*/, const char* /*source*/,
                                    const spv_position_t& /*position*/, const char* text) { reason = text; });
   std::vector<std::uint32_t> optimized;
-  if (!optimizer.RegisterPassesFromFlags(kPasses) || !optimizer.RegisterPassesFromFlags(lastPasses) ||
-      !optimizer.Run(spirv.data(), spirv.size(), &optimized)) {
+  if (!optimizer.RegisterPassesFromFlags(passes) || !optimizer.Run(spirv.data(), spirv.size(), &optimized)) {
     throw std::runtime_error("the SPIR-V optimizer fails: " + reason);
   }
   return optimized;
@@ -117,7 +119,7 @@ std::vector<std::uint32_t> optimize(const std::vector<std::uint32_t>& spirv,
 }  // namespace
 
 std::vector<std::uint32_t> finishShader(std::span<const std::uint32_t> spirv) {
-  return optimize(markExact(optimize(markExact(spirv), {"--loop-unroll"})), {});
+  return optimize(markExact(optimize(spirv, kUnrolling)), kPasses);
 }
 
 }  // namespace lavaray

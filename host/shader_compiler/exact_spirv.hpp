@@ -10,9 +10,8 @@ namespace lavaray {
 // generates it, into the module that the driver gets. It marks each floating-point operation NoContraction,
 // as GLSL's `precise` does, so that neither the optimizer nor a driver fuses, reorders or replaces it: a
 // shader means the same arithmetic to every driver. It optimizes the module for size and unrolls the loops
-// that are marked [[unroll]]; the optimizer's copies of an operation have lost its mark (SPIRV-Tools 2023.1),
-// so they are marked again. Throws std::invalid_argument where these words are no SPIR-V, std::runtime_error
-// where the optimizer fails.
+// that are marked [[unroll]]. Throws std::invalid_argument where these words are no SPIR-V,
+// std::runtime_error where the optimizer fails.
 //
 // Marking here instead of in the source forgets nothing, and a driver cannot tell the difference. No mark
 // keeps drivers from reordering the built-in functions dot, length and the like; the shaders do not use these

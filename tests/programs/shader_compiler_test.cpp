@@ -47,14 +47,14 @@ TEST(ShaderCompiler, MakesTheWordsThatTheBuildMakes) {
 
 TEST(ShaderCompiler, AnEditChangesTheWords) {
   const ShaderFolder folder;
-  (void)folder.replace("render.comp", "min(c, 1.0)", "min(c, 0.5)");
+  (void)folder.replace("view.glsl", "min(c, 1.0)", "min(c, 0.5)");
   EXPECT_FALSE(std::ranges::equal(compileRenderShader(folder.path(), false).spirv, renderSpirv));
 }
 
 TEST(ShaderCompiler, ErrorInTheSource) {
   const ShaderFolder folder;
-  const std::string place =
-      folder.replace("render.comp", "float displayed(float c) {", "float displayed(float c) { nope;");
+  const std::string place = folder.replace("render.comp", "uint entryGroup(uvec2 pixelInArea) {",
+                                           "uint entryGroup(uvec2 pixelInArea) { nope;");
   EXPECT_EQ(folder.error(), place + "'nope': undeclared identifier");
 }
 
