@@ -75,14 +75,19 @@ bool traverse(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], in
   bool finished = true;
   do {
     if (anyOf(waits)) {
+      uint firstIndex = 0u;
       Ray first = packet.rays[0];
       [[unroll]] for (uint r = kRaysPerLane; r > 0u; --r) {
-        if (waits[r - 1u]) first = packet.rays[r - 1u];
+        if (waits[r - 1u]) {
+          firstIndex = r - 1u;
+          first = packet.rays[r - 1u];
+        }
       }
       bool isIn[kRaysPerLane];
       Hit found[kRaysPerLane];
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-        isIn[r] = waits[r] && (kRaysPerLane == 1u || isAlong(packet.rays[r], first));
+        // The first one is in even if it is no number, so that the loop ends.
+        isIn[r] = waits[r] && (r == firstIndex || isAlong(packet.rays[r], first));
         waits[r] = waits[r] && !isIn[r];
         left -= uint(isIn[r]);
         found[r] = hits[r];

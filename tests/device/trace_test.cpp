@@ -1,10 +1,14 @@
 // What the traversal promises besides finding the nearest hit, which tests/stress/traversal.cpp is about.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 
 #include "bvh/flatten.hpp"
 #include "device/trace_rays.hpp"
+#include "support/random_numbers.hpp"
 #include "support/scene_building.hpp"
 
 namespace lavaray {
@@ -26,6 +30,35 @@ TEST(Traversal, PrefersTheFirstOfEqualHits) {
   }
   const auto hits = traceRays(flatten(scene, 2), rays, gpu::kTraceClosest);
   for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_EQ(hits[i].order, i % 2 == 0 ? 0U : 1U);
+}
+
+// Rays that are no numbers hit nothing, and do not keep those that are traced together with them from ending
+// and from hitting what they hit alone.
+TEST(Traversal, EndsWithRaysThatAreNoNumbers) {
+  Random random(9);
+  Scene scene;
+  for (int i = 0; i < 200; ++i)
+    addSphere(scene, {uniform(random, -3.0, 3.0), uniform(random, -3.0, 3.0), -8}, 0.5);
+  const GpuScene flat = flatten(scene, 1);
+  const std::array<glm::vec3, 3> odd{glm::vec3(NAN), {INFINITY, 0, 0}, {0, NAN, -1}};
+  std::vector<gpu::ProbeRay> rays;
+  for (std::size_t i = 0; i < 600; ++i) {
+    const glm::vec3 direction(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), -1.0);
+    rays.push_back({glm::vec3(0.0F), kNoSkip, direction, INFINITY});
+    if (i % 3 == 1) rays.back().origin = odd[i / 3 % odd.size()];
+    if (i % 7 == 2) rays.back().direction = odd[i / 7 % odd.size()];
+  }
+  for (const gpu::uint mode : {gpu::kTraceClosest, gpu::kTraceAny}) {
+    const auto alone = traceRays(flat, rays, mode);
+    EXPECT_GT(std::ranges::count_if(alone, [](const auto& hit) { return hit.order != kMiss; }), 50);
+    for (const unsigned raysPerLane : {2U, 4U}) {
+      const auto together = traceRays(flat, rays, mode, raysPerLane);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(together[i].finished, 1U) << i;
+        EXPECT_EQ(together[i].order == kMiss, alone[i].order == kMiss) << i;
+      }
+    }
+  }
 }
 
 // A ray that passes through more boxes than a traversal has steps, or the device loop turns, is reported,
