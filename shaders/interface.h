@@ -26,8 +26,10 @@ using uint = std::uint32_t;
 // Invocations of a work group; each handles one work item.
 const uint kWorkGroupSize = 64u;
 
-// How many invocations take one block of the picture (see lane.glsl).
+// So many neighbouring invocations take a unit of the picture (see lane.glsl), as wide in pixels as this, and
+// as high as each of them traces rays together.
 const uint kLanesPerUnit = 8u;
+const uint kUnitWidth = 8u;
 
 // The most inner nodes on any path from the root to a leaf. The builder keeps to it, so the traversal's stack
 // needs no more entries. Drivers unroll loops of this many iterations, which the stack depends on.

@@ -1,19 +1,16 @@
 // What a lane works on.
 //
 // Where each pixel has one sample in its centre, that is a block of pixels, a ray for each. Neighbouring
-// pixels see much the same, so a lane takes a block of them, and the lanes that a device runs together take
-// neighbouring blocks. Eight lanes are a unit: 8 by 1 pixels with one ray a lane, 4 by 4 with two, 8 by 4
-// with four. Units are counted row by row, those of the first row of units first.
+// pixels see much the same, so the lanes that a device runs together take neighbouring blocks, in units of
+// kLanesPerUnit lanes. Units are counted row by row, those of the first row of units first.
 #ifndef LANE_GLSL
 #define LANE_GLSL
 
 #include "scene_data.glsl"
 
 const uint kBlockWidth = kRaysPerLane > 1u ? 2u : 1u;
-const uint kBlockHeight = kRaysPerLane > 2u ? 2u : 1u;
-const uint kBlocksAcross = kRaysPerLane > 2u ? 4u : (kRaysPerLane > 1u ? 2u : 8u);
-const uint kUnitWidth = kBlockWidth * kBlocksAcross;
-const uint kUnitHeight = kBlockHeight * (kLanesPerUnit / kBlocksAcross);
+const uint kBlockHeight = kRaysPerLane / kBlockWidth;
+const uint kBlocksAcross = kUnitWidth / kBlockWidth;
 
 // The pixel of a lane's ray in an area, of which the first unit's row holds `firstRow`; it may be outside of
 // the area.
@@ -23,7 +20,7 @@ uvec2 pixelOfRay(uint lane, uint ray, uint areaWidth, uint firstRow) {
   const uint block = lane % kLanesPerUnit;
   const uint x = unit % unitsAcross * kUnitWidth + block % kBlocksAcross * kBlockWidth;
   const uint y =
-      (unit / unitsAcross + firstRow / kUnitHeight) * kUnitHeight + block / kBlocksAcross * kBlockHeight;
+      (unit / unitsAcross + firstRow / kRaysPerLane) * kRaysPerLane + block / kBlocksAcross * kBlockHeight;
   return uvec2(x + ray % kBlockWidth, y + ray / kBlockWidth);
 }
 

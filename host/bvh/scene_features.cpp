@@ -12,8 +12,9 @@ namespace lavaray {
 namespace {
 
 bool hasCornerNormals(const Mesh& mesh) {
-  return std::ranges::any_of(mesh.triangles,
-                             [](const MeshTriangle& triangle) { return triangle.normals[0] != kNoNormal; });
+  return !mesh.normals.empty() && std::ranges::any_of(mesh.triangles, [](const MeshTriangle& triangle) {
+    return triangle.normals[0] != kNoNormal;
+  });
 }
 
 bool isMirror(const Material& material) {

@@ -42,7 +42,8 @@ struct RenderSettings {
   bool sceneInStorage = false;
   // Entries of the traversal's stack, at least; those of a prepared pipeline.
   std::uint32_t minStackSize = 0;
-  // The most rays that an invocation traces together, of kRaysPerLane; empty is what the work is worth.
+  // The rays that an invocation traces together, 1, 2 or 4, where several are possible; empty is what the
+  // work is worth.
   std::optional<std::uint32_t> raysPerLane;
 };
 

@@ -39,16 +39,6 @@ double firstBatchItems(const PipelineVariant& variant) {
   return std::max(double{gpu::kWorkGroupSize}, kFirstBatchRays / (1.0 + variant.lights));
 }
 
-// The pixels that a unit of lanes takes, as in lane.glsl.
-struct PixelBlock {
-  std::uint32_t width;
-  std::uint32_t height;
-};
-PixelBlock unitBlock(std::uint32_t raysPerLane) {
-  if (raysPerLane == 1) return {8, 1};
-  return raysPerLane == 2 ? PixelBlock{4, 4} : PixelBlock{8, 4};
-}
-
 // At least two batches, so that the results of one can be taken while the other is traced.
 std::uint32_t capacityFor(const vulkan::Device& device, std::uint64_t items) {
   const std::uint64_t reachable =
@@ -123,8 +113,7 @@ std::uint32_t Tracer::batchCount(std::uint64_t items, std::uint64_t first) const
   const std::uint64_t wanted = std::min(usual, std::max(left / 2, usual / 8));
   const std::uint64_t end = first + std::min({wanted, left, std::uint64_t{capacity_}});
   if (!takesCenters_ || end == items) return static_cast<std::uint32_t>(end - first);
-  const std::uint64_t rowOfUnits =
-      std::uint64_t{constants_.areaWidth} * unitBlock(variant_.raysPerLane).height;
+  const std::uint64_t rowOfUnits = std::uint64_t{constants_.areaWidth} * variant_.raysPerLane;
   const std::uint64_t wholeRows = end / rowOfUnits * rowOfUnits;
   return static_cast<std::uint32_t>((wholeRows > first ? wholeRows : end) - first);
 }
@@ -211,11 +200,10 @@ void Tracer::makeShader(Batch& batch, bool resumable) {
 // How many invocations a batch takes.
 std::uint32_t Tracer::lanes(const Batch& batch, std::uint32_t raysPerLane) const {
   if (!takesCenters_) return batch.traced;
-  const PixelBlock block = unitBlock(raysPerLane);
   const auto first = static_cast<std::uint32_t>(batch.first);
-  const std::uint32_t firstRow = first / constants_.areaWidth / block.height;
-  const std::uint32_t lastRow = (first + batch.count - 1) / constants_.areaWidth / block.height;
-  const std::uint32_t across = (constants_.areaWidth + block.width - 1) / block.width;
+  const std::uint32_t firstRow = first / constants_.areaWidth / raysPerLane;
+  const std::uint32_t lastRow = (first + batch.count - 1) / constants_.areaWidth / raysPerLane;
+  const std::uint32_t across = (constants_.areaWidth + gpu::kUnitWidth - 1) / gpu::kUnitWidth;
   return (lastRow - firstRow + 1) * across * gpu::kLanesPerUnit;
 }
 
