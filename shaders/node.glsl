@@ -1,4 +1,4 @@
-// A node of the BVH: which of its children a beam enters, and which are still to be visited.
+// A node of the BVH: which of its children are entered, and which are still to be visited.
 #ifndef NODE_GLSL
 #define NODE_GLSL
 
@@ -9,11 +9,13 @@ vec4 decodeBounds(uint bounds, float origin, float unit) {
   return vec4((uvec4(bounds) >> uvec4(0u, 8u, 16u, 24u)) & 255u) * unit + origin;
 }
 
-// Where the beam enters the boxes of the node's children; as for intersectBoxes.
-vec4 enterChildren(Beam beam, uint index, float tMax) {
+// Which of the node's children one of the rays enters; where they do not look for any hit, also the distances
+// at which their beam does. `tMax` is for each beam.
+bvec4 entersChildren(const bool anyHit, Approach approach, uint index, float tMax[kRaysPerLane],
+                     out vec4 entry) {
   const BvhNode node = fetchNode(index);
-  const uvec3 nearBounds = mix(node.lower, node.upper, beam.negative);
-  const uvec3 farBounds = mix(node.upper, node.lower, beam.negative);
+  const uvec3 nearBounds = mix(node.lower, node.upper, approach.negative);
+  const uvec3 farBounds = mix(node.upper, node.lower, approach.negative);
   vec4 near[3];
   vec4 far[3];
   [[unroll]] for (int axis = 0; axis < 3; ++axis) {
@@ -21,14 +23,21 @@ vec4 enterChildren(Beam beam, uint index, float tMax) {
     near[axis] = decodeBounds(nearBounds[axis], node.origin[axis], unit);
     far[axis] = decodeBounds(farBounds[axis], node.origin[axis], unit);
   }
-  return intersectBoxes(beam, near, far, tMax);
+  uvec4 enters = uvec4(entersBoxes(approach.beams[0], near, far, tMax[0], entry));
+  if (anyHit) {
+    [[unroll]] for (uint r = 1u; r < kRaysPerLane; ++r) {
+      vec4 ignored;
+      enters |= uvec4(entersBoxes(approach.beams[r], near, far, tMax[r], ignored));
+    }
+  }
+  return bvec4(enters);
 }
 
-// The slots of the children that are entered at these distances: nearest first or, where the order does not
-// matter, in their own. A distance is at least 0, so its bits compare as it does itself; the lowest two give
-// way to the slot.
-uint enteredSlots(const bool sorts, vec4 entry) {
-  const uvec4 isEntered = uvec4(lessThan(entry, vec4(kInfinity)));
+// The slots of the children that are entered: in the order of these distances, nearest first or, where that
+// does not matter, in their own. A distance is at least 0, so its bits compare as it does itself; the lowest
+// two give way to the slot.
+uint enteredSlots(const bool sorts, bvec4 enters, vec4 entry) {
+  const uvec4 isEntered = uvec4(enters);
   const uint end = kNoSlots << kBitsPerSlot * (isEntered.x + isEntered.y + isEntered.z + isEntered.w);
   if (!sorts) {
     uint slots = kNoSlots;
@@ -36,7 +45,8 @@ uint enteredSlots(const bool sorts, vec4 entry) {
         isEntered[slot] != 0u ? slots << kBitsPerSlot | uint(slot) : slots;
     return slots;
   }
-  uvec4 keys = (floatBitsToUint(entry) & ~3u) | uvec4(0u, 1u, 2u, 3u);
+  const vec4 known = mix(vec4(kInfinity), entry, enters);
+  uvec4 keys = (floatBitsToUint(known) & ~3u) | uvec4(0u, 1u, 2u, 3u);
   keys = uvec4(min(keys.x, keys.y), max(keys.x, keys.y), min(keys.z, keys.w), max(keys.z, keys.w));
   keys = uvec4(min(keys.x, keys.z), min(keys.y, keys.w), max(keys.x, keys.z), max(keys.y, keys.w));
   keys = uvec4(keys.x, min(keys.y, keys.z), max(keys.y, keys.z), keys.w) & 3u;

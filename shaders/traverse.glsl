@@ -9,11 +9,11 @@
 // it. It must be found all the same: it may come earlier in the scene file.
 const float kTieMargin = 1.00002;
 
-// Finds for each ray of a beam the nearest primitive that it hits before hit.t, or with `anyHit` any such
-// primitive. Searches below packet.entry. Returns false if the device ended the loops before the search was
-// over (see kMaxTraversalSteps).
+// Finds for each ray that is there, all of which are alike, the nearest primitive that it hits before hit.t,
+// or with `anyHit` any such primitive. Searches below packet.entry. Returns false if the device ended the
+// loops before the search was over (see kMaxTraversalSteps).
 //
-// Each iteration of the inner loop finds which children of a node the beam enters and takes the next child.
+// Each iteration of the inner loop finds which children of a node are entered and takes the next child.
 // The loop ends at a leaf, or when nothing waits. A lane that has found its leaf waits for the other lanes of
 // its subgroup, so that the leaves are tested together.
 //
@@ -21,10 +21,10 @@ const float kTieMargin = 1.00002;
 // to an inner node, by primitives of the leaf that are left, and by groups that still wait. None of these is
 // a loop's own condition, which compilers take to be false after the loop; and no loop has a second exit,
 // since what depends on the exit taken is unknown where the device took none.
-bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kRaysPerLane],
-                  inout uint tests) {
+bool traverseTogether(const bool anyHit, Packet packet, Approach approach, inout Hit hits[kRaysPerLane],
+                      inout uint tests) {
   ShearedRay sheared[kRaysPerLane];
-  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) sheared[r] = shearedRay(packet.rays[r], beam.axis);
+  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) sheared[r] = shearedRay(packet.rays[r], approach.axis);
   GroupStack stack;
   for (uint i = 0u; i < kStackSize; ++i) stack.entries[i] = 0u;
   stack.entries[0] = packet.entry;
@@ -33,11 +33,15 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
   uint steps = 0u;
   do {
     if (steps < kMaxTraversalSteps) {  // always true: see traverse
-      const float tMax = farthest(hits) * kTieMargin;
+      float tMax[kRaysPerLane];
+      [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) tMax[r] = hits[r].t * kTieMargin;
+      if (!anyHit) tMax[0] = farthest(hits) * kTieMargin;
       uint reference = takeChild(0u, kNoSlots, stack);
       do {
         if (reference <= kMaxReference) {
-          const uint entered = enteredSlots(!anyHit, enterChildren(beam, reference, tMax));
+          vec4 entry;
+          const bvec4 enters = entersChildren(anyHit, approach, reference, tMax, entry);
+          const uint entered = enteredSlots(!anyHit, enters, entry);
           if (kCountsTests) ++tests;
           reference = takeChild(reference, entered, stack);
           ++steps;
@@ -48,7 +52,7 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
       const uint end = isCut || reference == kNoReference ? i : i + (reference >> kLeafShift);
       do {
         if (i < end) {
-          hitPrimitive(anyHit, packet, sheared, beam.axis, i, hits);
+          hitPrimitive(anyHit, packet, sheared, approach.axis, i, hits);
           if (kCountsTests && i != packet.skipped[0]) ++tests;
           ++i;
         }
@@ -60,7 +64,8 @@ bool traverseBeam(const bool anyHit, Packet packet, Beam beam, inout Hit hits[kR
   return !isCut && (stack.entries[0] == 0u || (anyHit && farthest(hits) == kNoRay));
 }
 
-// As traverseBeam, for any rays: those that are along the first one make a beam, then come the others.
+// As traverseTogether, for any rays: those that are along the first one search together, then come the
+// others.
 //
 // The condition in the loop is always true, by the loop's own condition. But what Mesa 22.3's llvmpipe
 // computes in a loop and uses after it, it goes on computing for lanes that have left the loop, unless it is
@@ -87,14 +92,14 @@ bool traverse(const bool anyHit, Packet packet, inout Hit hits[kRaysPerLane], in
       Hit found[kRaysPerLane];
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
         // The first one is in even if it is no number, so that the loop ends.
-        isIn[r] = waits[r] && (r == firstIndex || isAlong(packet.rays[r], first));
+        isIn[r] = waits[r] && (r == firstIndex || isAlong(anyHit, packet.rays[r], first));
         waits[r] = waits[r] && !isIn[r];
         left -= uint(isIn[r]);
         found[r] = hits[r];
         if (!isIn[r]) found[r].t = kNoRay;
       }
-      const Beam beam = beamOf(packet.rays, isIn, first);
-      finished = traverseBeam(anyHit, packet, beam, found, tests);
+      const Approach approach = approachOf(anyHit, packet.rays, isIn, first);
+      finished = traverseTogether(anyHit, packet, approach, found, tests);
       [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
         if (isIn[r]) hits[r] = found[r];
       }
