@@ -17,21 +17,26 @@ layout(push_constant) uniform PushConstants {
   CountConstants constants;
 };
 
-// The box four times, as a node holds it.
+// The box four times, as a node holds it, for the nearest hit and for any.
 float intersectBox(Ray ray, vec3 lower, vec3 upper, float tMax) {
   Ray rays[kRaysPerLane];
   rays[0] = ray;
   bool isIn[kRaysPerLane];
   isIn[0] = true;
-  const Beam beam = beamOf(rays, isIn, ray);
+  const Approach nearest = approachOf(false, rays, isIn, ray);
+  const Approach any = approachOf(true, rays, isIn, ray);
   vec4 near[3];
   vec4 far[3];
   for (int axis = 0; axis < 3; ++axis) {
-    near[axis] = vec4(beam.negative[axis] ? upper[axis] : lower[axis]);
-    far[axis] = vec4(beam.negative[axis] ? lower[axis] : upper[axis]);
+    near[axis] = vec4(nearest.negative[axis] ? upper[axis] : lower[axis]);
+    far[axis] = vec4(nearest.negative[axis] ? lower[axis] : upper[axis]);
   }
-  const vec4 entry = intersectBoxes(beam, near, far, tMax);
-  return entry == entry.yzwx ? entry.x : -1.0;  // -1, which is no distance, if the four differ
+  vec4 entry;
+  vec4 anyEntry;
+  const bvec4 enters = entersBoxes(nearest.beams[0], near, far, tMax, entry);
+  const bvec4 anyEnters = entersBoxes(any.beams[0], near, far, tMax, anyEntry);
+  const bool agree = enters == enters.yzwx && entry == entry.yzwx && enters == anyEnters && entry == anyEntry;
+  return agree ? (enters.x ? entry.x : kInfinity) : -1.0;  // -1, which is no distance
 }
 
 float intersectShape(Ray ray, ShapeQuery query) {
