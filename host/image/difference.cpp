@@ -89,6 +89,24 @@ Difference compare(const Image& image, const Image& reference, double tolerance)
   return result;
 }
 
+double toleranceOf(double levels) {
+  return levels > 0.0 ? levels / 255.0 + 0x1p-23 : 0.0;
+}
+
+DifferenceHistogram differenceHistogram(const Image& image, const Image& reference) {
+  std::array<double, kHistogramLevels.size()> most{};
+  std::transform(kHistogramLevels.begin(), kHistogramLevels.end(), most.begin(), toleranceOf);
+  DifferenceHistogram result{};
+  for (std::size_t i = 0; i < image.rgb.size() / 3; ++i) {
+    const Pixel a = pixelOf(image, i);
+    const Pixel b = pixelOf(reference, i);
+    if (!isFinite(a) || !isFinite(b)) continue;
+    const double off = std::max(colorDistance(a, b), distance(a[3], b[3]));
+    ++result[std::lower_bound(most.begin(), most.end(), off) - most.begin()];
+  }
+  return result;
+}
+
 std::vector<bool> finiteInBoth(const Image& image, const Image& reference) {
   std::vector<bool> isFiniteInBoth(image.rgb.size() / 3);
   for (std::size_t i = 0; i < isFiniteInBoth.size(); ++i) {

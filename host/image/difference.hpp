@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -32,6 +33,17 @@ struct Difference {
 };
 
 Difference compare(const Image& image, const Image& reference, double tolerance);
+
+// How many of the pixels that are finite in both differ, in alpha or the channel that is furthest off, by how
+// much: in bin i by at most kHistogramLevels[i] / 255 and by more than the bin before allows, in the last by
+// more than all of them.
+inline constexpr std::array<int, 9> kHistogramLevels = {0, 1, 2, 4, 8, 16, 32, 64, 128};
+using DifferenceHistogram = std::array<std::size_t, kHistogramLevels.size() + 1>;
+DifferenceHistogram differenceHistogram(const Image& image, const Image& reference);
+
+// What a tolerance of so many levels of 255 is in values. Each of two quotients, rounded to a float, is off
+// by at most 2^-24: so a difference of exactly that many levels stays within it.
+double toleranceOf(double levels);
 
 // For each pixel, whether all of its channels are finite in both images.
 std::vector<bool> finiteInBoth(const Image& image, const Image& reference);

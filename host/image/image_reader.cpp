@@ -1,5 +1,6 @@
 #include "image/image_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <string>
@@ -132,6 +133,13 @@ Image parseImage(std::string_view bytes, const std::filesystem::path& file) {
   image.source.format = format.name;
   noteWrongExtension(file, format, image.source);
   return image;
+}
+
+bool hasImageExtension(const std::filesystem::path& file) {
+  const std::string extension = lowerCaseExtension(file) + " ";
+  return extension.size() > 1 && std::any_of(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+           return format.extensions.find(extension) != std::string_view::npos;
+         });
 }
 
 Image readImage(const std::filesystem::path& file) {

@@ -15,4 +15,7 @@ Image readImage(const std::filesystem::path& file);
 // The same from the file's bytes; `file` is its name for messages.
 Image parseImage(std::string_view bytes, const std::filesystem::path& file);
 
+// Whether the file's extension is one of those of the formats that are read.
+bool hasImageExtension(const std::filesystem::path& file);
+
 }  // namespace lavaray

@@ -1,6 +1,7 @@
 #include "image/mean_flip.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "image/difference.hpp"
@@ -29,20 +30,30 @@ Image displayed(const Image& image, const std::vector<bool>& isShown, bool isTru
 
 }  // namespace
 
-double meanFlip(const Image& image, const Image& reference, unsigned threads) {
+SeenDifference seenDifference(const Image& image, const Image& reference, unsigned threads) {
   const std::vector<bool> isFinite = finiteInBoth(image, reference);
   const auto count = std::count(isFinite.begin(), isFinite.end(), true);
-  if (count == 0) return 0.0;
   const bool areFloats = image.source.maxima[0] == 0 && reference.source.maxima[0] == 0;
-  const auto meanOver = [&](float background) {
-    const std::vector<float> map = flipMap(displayed(image, isFinite, areFloats, background),
-                                           displayed(reference, isFinite, areFloats, background), threads);
+  const auto over = [&](float background) {
+    SeenDifference result;
+    result.map = flipMap(displayed(image, isFinite, areFloats, background),
+                         displayed(reference, isFinite, areFloats, background), threads);
     double sum = 0.0;
-    for (std::size_t i = 0; i < map.size(); ++i) sum += isFinite[i] ? double{map[i]} : 0.0;
-    return sum / static_cast<double>(count);
+    for (std::size_t i = 0; i < result.map.size(); ++i) {
+      if (!isFinite[i]) result.map[i] = 0.0F;
+      sum += double{result.map[i]};
+    }
+    result.mean = count == 0 ? 0.0 : sum / static_cast<double>(count);
+    return result;
   };
-  const bool hasAlpha = !image.alpha.empty() || !reference.alpha.empty();
-  return hasAlpha ? std::max(meanOver(0.0F), meanOver(1.0F)) : meanOver(0.0F);
+  SeenDifference overBlack = over(0.0F);
+  if (image.alpha.empty() && reference.alpha.empty()) return overBlack;
+  SeenDifference overWhite = over(1.0F);
+  return overBlack.mean >= overWhite.mean ? std::move(overBlack) : std::move(overWhite);
+}
+
+double meanFlip(const Image& image, const Image& reference, unsigned threads) {
+  return seenDifference(image, reference, threads).mean;
 }
 
 }  // namespace lavaray
