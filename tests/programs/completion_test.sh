@@ -3,7 +3,7 @@
 set -u
 programs=$1 completion=$2 scratch=$3
 rm -rf "$scratch" && mkdir -p "$scratch/folder" && cd "$scratch" || exit 1
-touch scene.txt 'my scene.txt' mesh.obj picture.png picture.pfm picture.exr part.film report.json folder/inner.txt
+touch scene.txt 'my scene.txt' mesh.obj picture.png picture.pfm picture.exr part.film report.json page.html folder/inner.txt
 PATH=$programs:$PATH
 source "$completion"
 failures=0
@@ -73,6 +73,8 @@ offers 'lavaray --shaders ' folder
 offers 'lavaray-diff ' picture.png picture.pfm picture.exr folder
 offers 'lavaray-diff picture.png pic' picture.png picture.pfm picture.exr
 offers 'lavaray-diff a.png b.png -o ' picture.png picture.pfm picture.exr folder
+offers 'lavaray-diff a.png b.png --report ' page.html folder
+offers 'lavaray-diff --from ' report.json folder
 offers 'lavaray-merge part.film ' part.film folder
 offers 'lavaray-merge -o p' picture.png picture.pfm picture.exr
 

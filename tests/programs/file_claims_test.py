@@ -91,6 +91,8 @@ def try_all():
     for name in ('part.png', 'part.bmp', 'part.ppm', 'part.pfm'):
         refused('an image', name, [diff, name, 'part.png'], '-o')
         refused('a reference', name, [diff, 'part.png', name], '-o')
+        for option in ('--report', '--json'):
+            refused(f'an image by {option}', name, [diff, name, 'part.png'], option)
     shutil.copy(work / 'kept.film', work / 'film.png')
     refused('a part', 'film.png', [merge, 'film.png'], '-o')
 

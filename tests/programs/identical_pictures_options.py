@@ -6,6 +6,7 @@ MIRRORS = ("--reflect", "0.5")
 ONE, ALL = "{scene}", "{scenes}"
 PAIR = ("a.pfm", "b.pfm")
 PARTS = ("a.film", "b.film")
+FOUND = "found.json"
 WIDTH = "48"
 
 # Of each option its values, each a list of arguments, or why it is left out. All scenes are rendered, to PFM files,
@@ -63,6 +64,11 @@ DIFF = {
     "--max-rmse": [["--max-rmse", "0.001", *PAIR], ["--max-rmse", "1", *PAIR]],
     "--max-flip": [["--max-flip", "0.001", *PAIR], ["--max-flip", "1", *PAIR]],
     "--output": [["--output", "{n}" + ending, *PAIR] for ending in (".png", ".pfm", ".bmp", ".exr")],
+    "--report": [["--report", "{n}.html", *PAIR], ["--report", "{n}.html", PAIR[0], PAIR[0]]],
+    "--json": [["--json", "{n}.json", *PAIR], ["--json", "{n}.json", "--max-flip", "1", *PAIR]],
+    "--name": [["--name", name, "--json", "{n}.json", *PAIR] for name in ("<b>", "a pair")],
+    "--driver": [["--driver", driver, "--report", "{n}.html", *PAIR] for driver in ("</script>", "a driver")],
+    "--from": [["--from", FOUND], ["--from", FOUND, FOUND, "--report", "{n}.html"]],
     "--info": [["--info", name] for name in PAIR],
 }
 
@@ -112,5 +118,5 @@ def trials():
     pair = [[*render, "-o", PAIR[0]], [*render, "--spp", "8", "--filter", "tent", "-o", PAIR[1]]]
     parts = [[*render, "--spp", "9", "--sample-range", samples, "-o", part]
              for part, samples in zip(PARTS, ("0:4", "4:9"))]
-    for program, inputs in (("lavaray-diff", pair), ("lavaray-merge", parts)):
+    for program, inputs in (("lavaray-diff", [*pair, ["lavaray-diff", *PAIR, "--json", FOUND]]), ("lavaray-merge", parts)):
         yield program, inputs + [[program, *values] for values_of in OPTIONS[program].values() for values in values_of]

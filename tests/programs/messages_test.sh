@@ -74,7 +74,9 @@ done
 for option in tolerance max-rmse max-flip max-differing; do
   for value in x -1 nan ''; do fails 2 "$diff" a.png b.png "--$option" "$value"; done
 done
-for options in '' 'a.png' '--info a.png b.png' 'a.png b.png -o x.jpg' '--bogus'; do fails 2 "$diff" $options; done
+for options in '' 'a.png' '--info a.png b.png' 'a.png b.png -o x.jpg' '--bogus' 'a.png .' '. . -o x.png' 'a.png --from x.json'; do
+  fails 2 "$diff" $options
+done
 for options in '' 'a.film' '-o a.png' 'a.film -o a.jpg' '--bogus' 'a.film -o a.png --crop 1,2' 'a.film -o a.png --half'; do
   fails 2 "$merge" $options
 done

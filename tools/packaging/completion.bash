@@ -10,7 +10,7 @@ _lavaray_endings() {
     .*) echo "$named" ;;
     :SCENE) echo .txt ;;
     :PARTS | :--checkpoint | :--resume) echo .film ;;
-    :--json) echo .json ;;
+    :--json | :--from) echo .json ;;
   esac
 }
 
