@@ -25,7 +25,7 @@ for program in lavaray lavaray-diff lavaray-merge; do
 done
 holds 'README.md is installed' cmp "$source/README.md" "$prefix/share/doc/lavaray/README.md"
 holds 'nothing else is installed' diff \
-  <(printf '%s\n' bin bin/lavaray{,-diff,-merge} share share/{bash-completion,doc,lavaray,man}) \
+  <(printf '%s\n' bin bin/lavaray{,-diff,-merge} lib lib/cmake share share/{bash-completion,doc,lavaray,man}) \
   <(cd "$prefix" && find . -mindepth 1 -maxdepth 2 -printf '%P\n' | LC_ALL=C sort)
 
 PATH=$prefix/bin:$PATH

@@ -35,13 +35,11 @@ add_test(NAME swiftshader-validation-layer
                  -o ${scratch}/swiftshader-validated.png)
 list(APPEND swiftshader_programs swiftshader-validation-layer)
 foreach(scene ${golden_scenes})
-  add_test(NAME swiftshader-golden-${scene}
-           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/golden_test.sh ${programs} ${scenes}
-                   ${golden} ${scratch}/golden-swiftshader ${scene}
-                   --tolerance 1 --max-differing 38)
+  lavaray_add_image_test(NAME swiftshader-golden-${scene} SCENE ${scenes}/${scene}.txt
+                         REFERENCE ${golden}/${scene}.png OPTIONS --width 240 TOLERANCE 1 MAX_DIFFERING 38)
   list(APPEND swiftshader_programs swiftshader-golden-${scene})
 endforeach()
 set_tests_properties(${swiftshader_programs} PROPERTIES
-                     ENVIRONMENT "VK_DRIVER_FILES=${LAVARAY_SWIFTSHADER_ICD};LAVARAY_UPDATE_GOLDEN=0")
+                     ENVIRONMENT "VK_DRIVER_FILES=${LAVARAY_SWIFTSHADER_ICD};LAVARAY_UPDATE_REFERENCES=0")
 
 set_tests_properties(${swiftshader_tests} ${swiftshader_programs} PROPERTIES LABELS swiftshader TIMEOUT 1200)
