@@ -20,10 +20,13 @@ function legendOf(kind) {
 }
 
 function messageFor(kind) {
-  if (kind === 'image' || kind === 'reference') return view.pictures[kind] ? '' : `There is no ${CAPTIONS[kind]} picture.`;
+  if (kind === 'image' || kind === 'reference') {
+    return view.pictures[kind] ? '' : `There is no ${CAPTIONS[kind]} picture.`;
+  }
   if (view.pair.equal) return kind === 'slider' || kind === 'flicker' ? '' : 'The pictures are equal.';
   if (view.pictures.difference) return '';
-  return view.pair.verdict === 'sizes differ' ? 'Pictures of different size are not compared.' : 'There is only one picture.';
+  return view.pair.verdict === 'sizes differ' ? 'Pictures of different size are not compared.' :
+                                                'There is only one picture.';
 }
 
 // The panes of the view.
@@ -48,7 +51,9 @@ function layOut() {
     return pane;
   });
   panes.replaceChildren(...made);
-  for (const button of document.querySelectorAll('#views button')) button.ariaChecked = button.dataset.view === view.name;
+  for (const button of document.querySelectorAll('#views button')) {
+    button.ariaChecked = button.dataset.view === view.name;
+  }
   showControl();
   resize();
 }
@@ -202,8 +207,10 @@ function showReadout() {
     cells.push(cell);
   }
   const {image, reference} = found;
+  // Without alpha a picture is opaque.
+  const distance = (_, i) => figure(255 * Math.abs((image[i] ?? 1) - (reference[i] ?? 1)));
   const differences = image && reference && view.pair.difference &&
-      Array.from({length: Math.max(image.length, reference.length)}, (_, i) => figure(255 * Math.abs((image[i] ?? 1) - (reference[i] ?? 1))));
+                      Array.from({length: Math.max(image.length, reference.length)}, distance);
   cells.push(element('span', '', element('b', '', 'difference / 255 '), differences ? differences.join('  ') : ''));
   const map = view.pictures.flip;
   const flip = image && map ? figure(bytesAt(map.grey, at.x, at.y)[0] / 255) : '';
@@ -211,7 +218,12 @@ function showReadout() {
   $('readout').replaceChildren(...cells);
 }
 
-const pan = (x, y) => moveTo(view.x + x * paneSize().width / 8 / view.zoom, view.y + y * paneSize().height / 8 / view.zoom);
+// By eighths of a pane.
+function pan(x, y) {
+  const {width, height} = paneSize();
+  moveTo(view.x + x * width / 8 / view.zoom, view.y + y * height / 8 / view.zoom);
+}
+
 const KEYS = {
   j: () => step(1), k: () => step(-1), d: swapThird, g: goToLargest, b: brighten, '0': fit,
   '+': () => zoomBy(1), '=': () => zoomBy(1), '-': () => zoomBy(-1),
@@ -250,7 +262,9 @@ $('filter').oninput = $('failing').onchange = showList;
 new ResizeObserver(resize).observe(panes);
 
 showSummary();
-const asked = pairs.find((pair) => pair.name === decodeURIComponent(location.hash.slice(1)));
+const named = () => pairs.find((pair) => pair.name === decodeURIComponent(location.hash.slice(1)));
+window.onhashchange = () => named() && named() !== view.pair && choose(named());
+const asked = named();
 if (asked?.look === 'good') $('failing').checked = false;
 showList();
 if (pairs.length) choose(asked ?? listed[0]);

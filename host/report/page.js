@@ -9,7 +9,8 @@ const pairs = Array.from(document.querySelectorAll('script.pair'), (script, numb
     number,
     equal: Boolean(of) && of.histogram[0].pixels === of.pixels,
     largest: of?.unlike ? {x: of.unlikeX, y: of.unlikeY} : largest?.largest > 0 ? largest : null,
-    look: pair.verdict === 'alike' ? 'good' : pair.verdict === 'differs' || pair.verdict === 'sizes differ' ? 'bad' : 'odd',
+    words: pair.verdict.replace('image', 'actual'),
+    look: {alike: 'good', differs: 'bad', 'sizes differ': 'bad'}[pair.verdict] ?? 'odd',
   });
 });
 const listed = [...pairs].sort((a, b) => (a.look === 'good') - (b.look === 'good') || a.number - b.number);
@@ -31,19 +32,25 @@ function showSummary() {
   }
   const good = pairs.filter((pair) => pair.look === 'good').length;
   $('failing').checked = good > 0 && good < pairs.length;
-  $('failing').disabled = good === 0 || good === pairs.length;
+  $('failing').parentNode.hidden = good === 0 || good === pairs.length;
 }
 
 const visible = () => listed.filter((pair) => (!$('failing').checked || pair.look !== 'good') &&
                                               pair.name.toLowerCase().includes($('filter').value.toLowerCase()));
 
+function shareText(pair) {
+  const of = pair.difference;
+  if (!of) return pair.words;
+  if (pair.equal) return 'equal';
+  const percent = 100 * of.differing / of.pixels;
+  if (percent < 0.1) return `${of.differing} px`;
+  return `${percent < 10 ? percent.toPrecision(2) : Math.round(percent)} %`;
+}
+
 function showList() {
   const rows = visible().map((pair) => {
-    const of = pair.difference;
-    const percent = of && 100 * of.differing / of.pixels;
-    const share = !of ? pair.verdict : pair.equal ? 'equal' : percent < 0.1 ? `${of.differing} px` : `${percent.toPrecision(2)} %`;
     const row = element('button', '', element('span', `dot ${pair.look}`), element('span', 'name', pair.name),
-                        element('span', 'share', share));
+                        element('span', 'share', shareText(pair)));
     row.title = pair.name;
     row.setAttribute('aria-current', pair === view.pair);
     row.onclick = () => choose(pair);
@@ -66,7 +73,7 @@ async function choose(pair) {
   pair.row?.scrollIntoView({block: 'nearest'});
   view.hover = null;
   $('name').textContent = $('name').title = pair.name;
-  $('verdict').textContent = pair.verdict;
+  $('verdict').textContent = pair.words;
   $('verdict').className = pair.look;
   showNumbers(pair);
   showHistogram(pair);
@@ -93,7 +100,7 @@ function showNumbers(pair) {
     table.append(element('tr', '', ...cells));
   };
   if (!of) return row('Not compared', pair.problem ?? (pair.verdict === 'sizes differ' ?
-      `${sizeText(pair.image)} and ${sizeText(pair.reference)}` : pair.verdict));
+      `${sizeText(pair.image)} and ${sizeText(pair.reference)}` : pair.words));
   const counted = limits.tolerance !== null || limits.maxDiffering !== null ||
                   (limits.maxRmse === null && limits.maxFlip === null);
   const most = limits.maxDiffering ?? 0;
@@ -102,11 +109,13 @@ function showNumbers(pair) {
       of.differing > most);
   const there = pair.largest ? [element('button', '', 'Go there')] : [];
   if (there.length) there[0].onclick = goToLargest;
-  row('Largest difference', [`${figure(of.color.largest)} / 255` + (of.color.largest > 0 ? ` at ${of.color.x},${of.color.y}` : ''), ...there]);
-  row('RMSE', figure(of.rmse), limits.maxRmse === null ? null : `allowed ${limits.maxRmse}`, of.rmse > limits.maxRmse);
+  const levels = ({largest, x, y}) => `${figure(largest)} / 255` + (largest > 0 ? ` at ${x},${y}` : '');
+  row('Largest difference', [levels(of.color), ...there]);
+  const allowed = (limit) => limit === null ? null : `allowed ${limit}`;
+  row('RMSE', figure(of.rmse), allowed(limits.maxRmse), of.rmse > limits.maxRmse);
   row('PSNR', of.psnr === null ? 'infinite' : `${figure(of.psnr)} dB`);
-  row('FLIP mean', figure(of.meanFlip), limits.maxFlip === null ? null : `allowed ${limits.maxFlip}`, of.meanFlip > limits.maxFlip);
-  if (of.alpha) row('Alpha', `${count(of.alpha.differing)} differ, largest ${figure(of.alpha.largest)} / 255 at ${of.alpha.x},${of.alpha.y}`);
+  row('FLIP mean', figure(of.meanFlip), allowed(limits.maxFlip), of.meanFlip > limits.maxFlip);
+  if (of.alpha) row('Alpha', `${count(of.alpha.differing)} differ, largest ${levels(of.alpha)}`);
   if (of.finite < of.pixels) row('Not finite', `${count(of.unlike)} differ`, 'allowed 0', of.unlike > 0);
 }
 
@@ -120,7 +129,8 @@ function showHistogram(pair) {
     const bar = element('i', '');
     bar.style.height = some ? `${Math.max(2, 84 * Math.log(some + 1) / Math.log(pixels + 1))}px` : '0';
     if (i === 0) bar.style.opacity = 0.35;
-    const column = element('div', '', element('span', '', some ? short.format(some) : ''), bar, element('span', 'label', label));
+    const column = element('div', '', element('span', '', some ? short.format(some) : ''), bar,
+                           element('span', 'label', label));
     column.title = `${label}: ${count(some)} pixels; the height is logarithmic`;
     return column;
   });
@@ -131,10 +141,17 @@ const sizeText = (image) => image?.width ? `${image.width} × ${image.height}` :
 
 function showFiles(pair) {
   const rows = [];
-  const row = (name, text) => rows.push(element('dt', '', name), element('dd', '', text));
-  const describe = (image) => image ? [image.file, sizeText(image), image.format].filter(Boolean).join(', ') : 'missing';
-  row('Actual', describe(pair.image));
-  row('Reference', describe(pair.reference));
+  const row = (name, text, title = '') => {
+    const value = element('dd', '', text);
+    value.title = title;
+    rows.push(element('dt', '', name), value);
+  };
+  // Of a long path the last two names are shown, and all of it under the mouse.
+  const short = (file) => file.length < 32 ? file : file.split('/').slice(-2).join('/');
+  for (const [name, image] of [['Actual', pair.image], ['Reference', pair.reference]]) {
+    const parts = image ? [short(image.file), sizeText(image), image.format] : ['missing'];
+    row(name, parts.filter(Boolean).join(', '), image?.file);
+  }
   const driver = pair.driver || pair.image?.device;
   if (driver) row('Driver', driver);
   if (pair.comparedAs) row('Compared as', pair.comparedAs);

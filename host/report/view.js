@@ -106,7 +106,7 @@ function moveTo(x, y) {
   draw();
 }
 
-// The picture at a size of 1/n, the largest of n x n values for each pixel: a mean would hide a difference of few pixels.
+// The picture at a size of 1/n, for each pixel the largest of n x n: a mean would hide a difference of few pixels.
 function largestOf(picture, n) {
   const smaller = (picture.smaller ??= {});
   if (smaller[n]) return smaller[n];
@@ -164,7 +164,8 @@ function drawMarks(context) {
   const largest = view.pair.largest;
   if (view.ring && largest) {
     const ring = new Path2D();
-    ring.arc(at.x + (largest.x + 0.5) * zoom, at.y + (largest.y + 0.5) * zoom, Math.max(9 * devicePixelRatio, zoom), 0, 7);
+    const radius = Math.max(9 * devicePixelRatio, zoom);
+    ring.arc(at.x + (largest.x + 0.5) * zoom, at.y + (largest.y + 0.5) * zoom, radius, 0, 2 * Math.PI);
     stroke(context, ring, '#fff');
   }
   if (view.hover && zoom >= 4) {

@@ -179,6 +179,8 @@ def go_through():
     page.key("j")
     page.wait("document.querySelector('h2').innerText === 'equal.ppm' && document.querySelectorAll('.message').length === 1")
     check(text(".message") == "The pictures are equal." and drawn(1, *OFF) == color(*OFF), "equal ones are shown")
+    page.value("location.hash = '#one%20pixel.ppm'")
+    page.wait("document.querySelector('h2').innerText === 'one pixel.ppm'")
 
 
 program = browser.find()
