@@ -52,7 +52,7 @@ function layOut() {
   });
   panes.replaceChildren(...made);
   for (const button of document.querySelectorAll('#views button')) {
-    button.ariaChecked = button.dataset.view === view.name;
+    button.setAttribute('aria-checked', button.dataset.view === view.name);
   }
   showControl();
   resize();

@@ -138,9 +138,7 @@ function drawPicture(context, picture, kind) {
   const drawn = n > 1 ? largestOf(picture, n) : picture;
   context.imageSmoothingEnabled = view.zoom < 1 && !isDifference;
   context.imageSmoothingQuality = 'high';
-  context.filter = kind === 'difference' && view.brighter > 1 ? `brightness(${view.brighter})` : 'none';
   context.drawImage(drawn, at.x, at.y, widthOf(drawn) * n * view.zoom, heightOf(drawn) * n * view.zoom);
-  context.filter = 'none';
 }
 
 // Where the slider's line is: a share of the part of the picture that is seen.
@@ -177,6 +175,7 @@ function drawMarks(context) {
 
 function drawSurface({canvas, context, kind}) {
   context.clearRect(0, 0, canvas.width, canvas.height);
+  canvas.style.filter = kind === 'difference' && view.brighter > 1 ? `brightness(${view.brighter})` : '';
   const pictures = view.pictures;
   const show = (name) => pictures[name] && drawPicture(context, pictures[name], name);
   if (kind !== 'slider') {
