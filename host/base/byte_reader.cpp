@@ -62,7 +62,7 @@ std::string unreadableText(const std::filesystem::path& file, const std::string&
 }
 
 void failUnreadable(const std::filesystem::path& file, const std::string& reason) {
-  throw UnreadableFile(ExitCode::kInput, unreadableText(file, reason));
+  throw UnreadableFile(ExitCode::kInput, unreadableText(file, reason), file.string());
 }
 
 void failUnreadable(const std::filesystem::path& file, const std::system_error& error) {

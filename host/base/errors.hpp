@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace lavaray {
 
@@ -29,11 +31,17 @@ enum class ExitCode : int {
 // code. A defect of the program itself is an assertion or a std::logic_error instead.
 class Error : public std::runtime_error {
  public:
-  Error(ExitCode exitCode, const std::string& message) : std::runtime_error(message), exitCode_(exitCode) {}
+  // `file` and `line` are for programs: a message about a file names it anyway.
+  Error(ExitCode exitCode, const std::string& message, std::string file = {}, std::size_t line = 0)
+      : std::runtime_error(message), exitCode_(exitCode), file_(std::move(file)), line_(line) {}
   [[nodiscard]] ExitCode exitCode() const { return exitCode_; }
+  [[nodiscard]] const std::string& file() const { return file_; }  // empty where it is about none
+  [[nodiscard]] std::size_t line() const { return line_; }         // from 1; 0 where it is about none
 
  private:
   ExitCode exitCode_;
+  std::string file_;
+  std::size_t line_;
 };
 
 }  // namespace lavaray

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const fs::path& name, const std::string& why) {
-  throw Error(ExitCode::kOutput, printable(name.native()) + ": cannot be written: " + why);
+  throw Error(ExitCode::kOutput, printable(name.native()) + ": cannot be written: " + why, name.string());
 }
 
 WriteTarget findTarget(const fs::path& name) {

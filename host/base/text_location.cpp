@@ -10,7 +10,7 @@ std::string messageAt(const TextLocation& location, std::string_view message) {
 }
 
 void failAt(const TextLocation& location, std::string_view message) {
-  throw Error(ExitCode::kInput, messageAt(location, message));
+  throw Error(ExitCode::kInput, messageAt(location, message), location.file.string(), location.line);
 }
 
 std::string quoted(std::string_view text) {

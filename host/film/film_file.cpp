@@ -153,7 +153,7 @@ FilmReader::~FilmReader() {
 }
 
 void FilmReader::fail(const std::string& why) const {
-  throw Error(ExitCode::kInput, file_.string() + ": " + why);
+  throw Error(ExitCode::kInput, file_.string() + ": " + why, file_.string());
 }
 
 void FilmReader::readAt(std::uint64_t position, std::span<std::byte> bytes) {

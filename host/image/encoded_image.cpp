@@ -13,7 +13,7 @@ constexpr std::int64_t kMaxSide = 1'000'000;
 }  // namespace
 
 void EncodedImage::fail(const std::string& why) const {
-  throw Error(ExitCode::kInput, printable(file.native()) + ": " + why);
+  throw Error(ExitCode::kInput, printable(file.native()) + ": " + why, file.string());
 }
 
 void EncodedImage::failAsCutOff() const {
