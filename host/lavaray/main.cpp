@@ -17,8 +17,8 @@ void listDevices(const Options& options) {
   if (options.verbose) {
     for (const std::string& line : vulkan::surveyDrivers().lines(true)) std::cerr << line << '\n';
   }
-  vulkan::Instance instance(options.validate);
-  printWarnings(std::cerr, instance.takeWarnings());
+  const vulkan::Instance instance;
+  printWarnings(std::cerr, instance.warnings());
   printDevices(std::cerr, vulkan::listDevices(instance));
 }
 

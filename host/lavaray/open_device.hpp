@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstdio>
 #include <future>
 #include <memory>
 
@@ -11,7 +13,15 @@ namespace lavaray {
 // The device that the options ask for, and the instance that it belongs to.
 struct OpenDevice {
   explicit OpenDevice(const Options& options)
-      : instance(options.validate), device(vulkan::chooseDevice(instance, options.device)) {}
+      : instance(options.validate ? onMessage() : vulkan::OnMessage()),
+        device(vulkan::chooseDevice(instance, options.device)) {}
+  vulkan::OnMessage onMessage() {
+    return [this](const std::string& message) {
+      ++validationMessages;
+      std::fprintf(stderr, "validation: %s\n", message.c_str());
+    };
+  }
+  std::atomic<int> validationMessages{0};
   vulkan::Instance instance;
   vulkan::Device device;
 };

@@ -125,7 +125,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   files.layers.commit();
   writeReport(render.statistics(), plan.settings.size, files.outputs);
   tellOutcome(interruption, checkpoint);
-  return open.instance.validationMessages() == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
+  return open.validationMessages == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
 }
 
 Session::Plan Session::makePlan() const {
@@ -155,7 +155,7 @@ OpenDevice& Session::openDevice() {
   OpenDevice& open = device_.get();
   times_.endStep("wait for device");
   progress_.end();
-  lavaray::printWarnings(std::cerr, open.instance.takeWarnings());
+  lavaray::printWarnings(std::cerr, open.instance.warnings());
   if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
   return open;
 }

@@ -68,4 +68,14 @@ Device::~Device() {
   vkDestroyDevice(device_, nullptr);
 }
 
+VkResult Device::submit(const VkSubmitInfo& info, VkFence fence) {
+  const std::lock_guard lock(queueMutex_);
+  return vkQueueSubmit(queue_, 1, &info, fence);
+}
+
+VkResult Device::waitUntilIdle() {
+  const std::lock_guard lock(queueMutex_);
+  return vkDeviceWaitIdle(device_);
+}
+
 }  // namespace lavaray::vulkan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <optional>
 
 #include "vulkan/handle.hpp"
@@ -30,7 +31,9 @@ class Device {
   [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
 
   [[nodiscard]] std::uint32_t queueFamily() const { return queueFamily_; }
-  [[nodiscard]] VkQueue queue() const { return queue_; }
+  // Threads may share the device, but the queue is for one at a time.
+  [[nodiscard]] VkResult submit(const VkSubmitInfo& info, VkFence fence);
+  [[nodiscard]] VkResult waitUntilIdle();
 
   [[nodiscard]] Pipelines& pipelines() { return *pipelines_; }
 
@@ -40,6 +43,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   VkDevice device_ = VK_NULL_HANDLE;
   std::uint32_t queueFamily_ = 0;
+  std::mutex queueMutex_;
   VkQueue queue_ = VK_NULL_HANDLE;
   std::optional<Pipelines> pipelines_;
 };

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <cstring>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "vulkan/driver_survey.hpp"
@@ -34,9 +34,8 @@ VkResult findValidationLayer() {
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT /*severity*/,
                                          VkDebugUtilsMessageTypeFlagsEXT /*types*/,
-                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void* counter) {
-  ++*static_cast<std::atomic<int>*>(counter);
-  std::fprintf(stderr, "validation: %s\n", data->pMessage);
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void* handler) {
+  (*static_cast<OnMessage*>(handler))(data->pMessage);
   return VK_FALSE;
 }
 
@@ -133,15 +132,15 @@ std::vector<DeviceDescription> matching(std::span<const DeviceDescription> devic
 
 }  // namespace
 
-Instance::Instance(bool validate) {
+Instance::Instance(OnMessage onMessage) : onMessage_(std::move(onMessage)) {
   loadGlobalFunctions();
-  VkResult result = open(validate);
+  VkResult result = open();
   if (result == VK_SUCCESS) return;
   const DriverSurvey survey = surveyDrivers();
   if (survey.canDoWithout()) {
     {
       const LoaderEnvironment sound(survey);
-      result = open(validate);
+      result = open();
     }
     if (result == VK_SUCCESS) {
       for (const std::string& line : survey.lines(false)) warnings_.push_back(line + "; it is left out");
@@ -156,8 +155,8 @@ Instance::~Instance() {
 }
 
 // Leaves no instance open unless it returns VK_SUCCESS, which means that there is a device.
-VkResult Instance::open(bool validate) {
-  VkResult result = create(validate);
+VkResult Instance::open() {
+  VkResult result = create();
   if (result != VK_SUCCESS) return result;
   std::uint32_t count = 0;
   result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
@@ -166,8 +165,8 @@ VkResult Instance::open(bool validate) {
   return result == VK_SUCCESS ? VK_ERROR_INITIALIZATION_FAILED : result;
 }
 
-VkResult Instance::create(bool validate) {
-  if (validate) {
+VkResult Instance::create() {
+  if (isValidated()) {
     if (const VkResult result = findValidationLayer(); result != VK_SUCCESS) return result;
   }
   VkApplicationInfo application{};
@@ -182,13 +181,13 @@ VkResult Instance::create(bool validate) {
   messenger.messageType =
       VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
   messenger.pfnUserCallback = onMessage;
-  messenger.pUserData = &validationMessages_;
+  messenger.pUserData = &onMessage_;
 
   const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
   info.pApplicationInfo = &application;
-  if (validate) {
+  if (isValidated()) {
     info.pNext = &messenger;  // to hear messages about vkCreateInstance itself
     info.enabledLayerCount = 1;
     info.ppEnabledLayerNames = &kValidationLayer;
@@ -198,7 +197,7 @@ VkResult Instance::create(bool validate) {
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
   if (result != VK_SUCCESS) return result;
   loadInstanceFunctions(instance_);
-  if (validate) createMessenger(messenger);
+  if (isValidated()) createMessenger(messenger);
   return VK_SUCCESS;
 }
 

@@ -1,36 +1,38 @@
 #pragma once
 
-#include <atomic>
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "vulkan/loader.hpp"
 
 namespace lavaray::vulkan {
 
-// The Vulkan instance. With validation it runs under the Khronos layer, whose warnings and errors are counted
-// and go to stderr.
+// What the validation layer complains of; any thread may call it.
+using OnMessage = std::function<void(const std::string&)>;
+
+// The Vulkan instance, of which there is one at a time.
 class Instance {
  public:
-  // Throws Error(kDevice), saying why, if there is no loader, no device, or no validation layer to validate
-  // with. If a broken manifest keeps the loader from a driver that works, uses that driver and warns.
-  explicit Instance(bool validate);
+  // With `onMessage` it runs under the Khronos validation layer. Throws Error(kDevice), saying why, if there
+  // is no loader, no device, or no validation layer to validate with. If a broken manifest keeps the loader
+  // from a driver that works, uses that driver and warns.
+  explicit Instance(OnMessage onMessage = {});
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
   [[nodiscard]] VkInstance get() const { return instance_; }
-  [[nodiscard]] int validationMessages() const { return validationMessages_; }
-  std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
+  [[nodiscard]] bool isValidated() const { return onMessage_ != nullptr; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  VkResult open(bool validate);
-  VkResult create(bool validate);
+  VkResult open();
+  VkResult create();
   void close();
   void createMessenger(const VkDebugUtilsMessengerCreateInfoEXT& info);
 
-  std::atomic<int> validationMessages_{0};
+  OnMessage onMessage_;
   std::vector<std::string> warnings_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

@@ -46,7 +46,7 @@ Submission::~Submission() {
   if (!isPending_) return;
   const VkFence fence = fence_.get();
   if (vkWaitForFences(device_.get(), 1, &fence, VK_TRUE, UINT64_MAX) != VK_SUCCESS)
-    (void)vkDeviceWaitIdle(device_.get());
+    (void)device_.waitUntilIdle();
 }
 
 void Submission::recordTimes() {
@@ -83,7 +83,7 @@ void Submission::submit(const std::function<void(VkCommandBuffer)>& record) {
   info.commandBufferCount = 1;
   info.pCommandBuffers = &commands_;
   times_.submitted = now();
-  check(vkQueueSubmit(device_.queue(), 1, &info, fence_.get()), "submit work to " + name);
+  check(device_.submit(info, fence_.get()), "submit work to " + name);
   isPending_ = true;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // Never destroyed: once the driver is unloaded, what it lost cannot be told to be its own.
 const vulkan::Instance& testInstance() {
-  static const auto* instance = new vulkan::Instance(false);
+  static const auto* instance = new vulkan::Instance;
   return *instance;
 }
 

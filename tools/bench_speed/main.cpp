@@ -19,7 +19,7 @@ void showProgress(const std::string& text) {
 }
 
 ExitCode run(const Options& options) {
-  const vulkan::Instance instance(false);
+  const vulkan::Instance instance;
   vulkan::Device device(vulkan::chooseDevice(instance, options.device));
   Results results;
   results.device = device.description().name + ", " + device.description().driver;

@@ -90,7 +90,7 @@ ExitCode run(std::span<const char* const> arguments) {
   const std::string text = arguments.size() < 4 ? "" : arguments[1];
   std::from_chars(text.data(), text.data() + text.size(), rounds);
   if (rounds < 1) throw Error(ExitCode::kUsage, kUsage);
-  const vulkan::Instance instance(false);
+  const vulkan::Instance instance;
   vulkan::Device device(vulkan::chooseDevice(instance, arguments[2]));
   std::cout << "device " << device.description().name << ", least of " << rounds << " rounds, " << kColdRounds
             << " of the first pixel\n"
