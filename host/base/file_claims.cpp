@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <map>
 #include <mutex>
@@ -27,6 +28,7 @@ struct Claim {
   fs::path mayReplace;
 };
 
+std::atomic<bool> protectsInputs{false};
 std::mutex mutex;
 std::map<fs::path, std::string> readFiles;  // what each is, by the name it was read by
 std::map<int, Claim> claims;
@@ -62,7 +64,12 @@ void failWhereRead(const struct stat& target, const std::string& output, const f
 
 }  // namespace
 
+void protectInputs() {
+  protectsInputs = true;
+}
+
 void noteRead(const fs::path& file, const std::string& what) {
+  if (!protectsInputs) return;
   const std::lock_guard lock(mutex);
   const std::string& known = readFiles.emplace(file, what).first->second;
   if (claims.empty()) return;

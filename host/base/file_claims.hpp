@@ -8,9 +8,13 @@
 
 namespace lavaray {
 
-// Makes sure that the process never overwrites a file that it reads, and that no two outputs share a file, by
-// whatever name or link. Whoever opens a file for reading notes it here, and OutputFile claims what it is to
-// replace.
+// Makes sure that no two outputs share a file, by whatever name or link, and that a process that asks for it
+// never overwrites a file that it reads. Whoever opens a file for reading notes it here, and OutputFile
+// claims what it is to replace.
+
+// From here on what is read is noted. For a program, which reads and writes what its command line names:
+// other users of the library may replace what they have read.
+void protectInputs();
 
 // `what` is for messages: "the scene". If a name is noted more than once, the first note counts. Throws
 // Error(kUsage) if the file is claimed for writing.

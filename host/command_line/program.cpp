@@ -12,6 +12,7 @@
 #include <new>
 #include <system_error>
 
+#include "base/file_claims.hpp"
 #include "base/temporary_file.hpp"
 #include "command_line/deadly_signals.hpp"
 #include "command_line/file_size_limit.hpp"
@@ -82,6 +83,7 @@ Failure currentFailure() {
 int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
   programName = name;
   occupyStandardStreams();
+  protectInputs();
   std::set_terminate(onTerminate);
   cleanUpAtDeath();
   catchInterrupts(name);
