@@ -13,18 +13,8 @@
 
 namespace lavaray {
 
-// Numbers for each pixel that go with a picture, for compositing programs. What is seen is seen by the ray
-// through the pixel's centre, whatever the picture's samples: the mean of two depths or objects would be
-// neither of them.
-enum class Layer {
-  kNormal,   // the unit normal used for shading, on the side that is seen; 0 0 0 where there is nothing
-  kDepth,    // distance from the camera along the ray, in the scene's units; infinite where there is nothing
-  kObject,   // number among the file's objects with a material, from 1; 0 where there is nothing
-  kSamples,  // samples of the picture's pixel
-  kError,    // its estimated error, in units of a colour; needs a target error
-};
-
-inline constexpr const char* kLayerNames = "normal, depth, object, samples, error";
+using v0::kLayerNames;
+using v0::Layer;
 
 std::string layerName(Layer layer);
 // The layers named in a list separated by commas. Throws Error(kUsage) saying which name is wrong and what is

@@ -3,17 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <lavaray/statistics.h>
+
 #include "render/trace_counts.hpp"
 #include "vulkan/activity.hpp"
 
 namespace lavaray {
 
-enum class StopReason {
-  kFinished,    // all samples are taken, or the target error is reached
-  kMaxSamples,  // every pixel that wants more samples has as many as allowed
-  kTimeLimit,
-  kInterrupted,
-};
+using v0::StopReason;
 
 const char* stopReasonName(StopReason reason);
 

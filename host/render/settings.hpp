@@ -12,22 +12,9 @@
 
 namespace lavaray {
 
-struct RenderSettings {
-  ImageSize size;  // of the whole picture
-  Rectangle crop;  // the part of it to render
-  std::uint32_t maxDepth = 8;
-  std::uint32_t samples = 1;  // a pixel; 1 is its centre
-  // Only these of them; their bounds are multiples of gpu::kMaxSamplesPerItem, or all samples.
-  std::optional<SampleRange> range;
-  Sampler sampler = Sampler::kSobol;
-  PixelFilter filter = PixelFilter::kBox;
-  std::uint32_t seed = 0;
-  // Instead of `samples`: sample until the picture's RMSE is estimated to be at most this, with at most
-  // maxSamples a pixel.
-  std::optional<double> targetError;
-  std::uint32_t maxSamples = 65536;
-  std::optional<double> timeLimitSeconds;
-  View view = View::kColor;
+struct RenderSettings : v0::SamplingOptions {
+  ImageSize size;       // of the whole picture
+  Rectangle crop;       // the part of it to render
   bool asData = false;  // of the views normal and object the numbers behind them, see gpu::kSpecAsData
   bool countRays = false;
   bool recordTimes = false;  // when the device was busy and the host waited
@@ -48,7 +35,7 @@ struct RenderSettings {
 };
 
 // Whether each pixel has one sample, in its centre.
-inline bool takesCenters(const RenderSettings& settings) {
+inline bool takesCenters(const v0::SamplingOptions& settings) {
   return settings.samples == 1 && !settings.targetError;
 }
 

@@ -3,25 +3,15 @@
 #include <optional>
 #include <string>
 
+#include <lavaray/types.h>
 #include <glm/vec3.hpp>
 
 #include "interface.h"
 
 namespace lavaray {
 
-// What a picture shows.
-enum class View {
-  kColor,
-  kNormal,   // n / 2 + 1/2 for the unit normal n used for shading
-  kDepth,    // distance from the camera, relative to the largest
-  kObject,   // a colour for each object
-  kShadow,   // share of the lights that are not blocked
-  kCost,     // nodes and primitives that rays are tested against, relative to the largest number
-  kSamples,  // samples of each pixel, relative to the largest number
-  kError,    // estimated error of each pixel, in units of a colour; needs a target error
-};
-
-inline constexpr const char* kViewNames = "color, normal, depth, object, shadow, cost, samples, error";
+using v0::kViewNames;
+using v0::View;
 
 std::optional<View> viewNamed(const std::string& name);
 std::string viewName(View view);

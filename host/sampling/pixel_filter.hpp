@@ -4,17 +4,12 @@
 #include <string>
 #include <vector>
 
+#include <lavaray/types.h>
+
 namespace lavaray {
 
-// Reconstruction filters, separable; sampled by importance, so that every sample has the same weight.
-enum class PixelFilter {
-  kBox,             // the pixel itself
-  kTent,            // to 1 pixel from the centre
-  kGaussian,        // standard deviation 1/2 pixel, to 1.5 pixels
-  kBlackmanHarris,  // to 1.5 pixels
-};
-
-inline constexpr const char* kPixelFilterNames = "box, tent, gaussian, blackman-harris";
+using v0::kPixelFilterNames;
+using v0::PixelFilter;
 
 std::optional<PixelFilter> pixelFilter(const std::string& name);
 std::string pixelFilterName(PixelFilter filter);

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <cstdint>
+#include <lavaray/types.h>
 
 namespace lavaray {
 
-// Samples first <= i < end of each pixel's sequence.
-struct SampleRange {
-  std::uint32_t first;
-  std::uint32_t end;
-  bool operator==(const SampleRange&) const = default;
-};
+// Samples of each pixel's sequence.
+using v0::SampleRange;
 
 }  // namespace lavaray

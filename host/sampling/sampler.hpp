@@ -2,15 +2,13 @@
 
 #include <cstdint>
 
+#include <lavaray/types.h>
+
 namespace lavaray {
 
-// How samples are placed in a pixel and on a light.
-enum class Sampler {
-  kSobol,   // Owen-scrambled Sobol points
-  kRandom,  // independent random numbers; for comparison
-};
+using v0::kSamplerNames;
+using v0::Sampler;
 
-inline constexpr const char* kSamplerNames = "sobol, random";
 inline const char* samplerName(Sampler sampler) {
   return sampler == Sampler::kSobol ? "sobol" : "random";
 }

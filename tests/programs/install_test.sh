@@ -25,8 +25,8 @@ for program in lavaray lavaray-diff lavaray-merge; do
 done
 holds 'README.md is installed' cmp "$source/README.md" "$prefix/share/doc/lavaray/README.md"
 holds 'nothing else is installed' diff \
-  <(printf '%s\n' bin bin/lavaray{,-diff,-merge} lib lib/cmake share share/{bash-completion,doc,lavaray,man}) \
-  <(cd "$prefix" && find . -mindepth 1 -maxdepth 2 -printf '%P\n' | LC_ALL=C sort)
+  <(printf '%s\n' bin bin/lavaray{,-diff,-merge} include include/lavaray share share/{bash-completion,doc,lavaray,man}) \
+  <(cd "$prefix" && find . -mindepth 1 -maxdepth 2 ! -path './lib*' -printf '%P\n' | LC_ALL=C sort)
 
 PATH=$prefix/bin:$PATH
 holds 'an installed scene renders' lavaray "$prefix/share/lavaray/scenes/showcase.txt" --width 160 -o built-in.png
