@@ -6,6 +6,7 @@ PROGRAMS holds lavaray, whose pictures are to be the same; SCENES the project's 
 
 import importlib.util
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -203,6 +204,23 @@ class Running(unittest.TestCase):
             thread.join()
         for picture in pictures:
             numpy.testing.assert_array_equal(picture, expected)
+
+
+class Document(unittest.TestCase):
+    def test_programs_run(self):
+        text = (SCENES.parent / "docs" / "python.md").read_text()
+        programs = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
+        self.assertEqual(len(programs), 3)
+        if not importlib.util.find_spec("matplotlib"):
+            print("skipped: matplotlib is missing, for the program that plots")
+            programs = [program for program in programs if "matplotlib" not in program]
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "scenes").symlink_to(SCENES)
+            environment = {**os.environ, "PYTHONPATH": str(PACKAGES), "MPLBACKEND": "Agg"}
+            for program in programs:
+                subprocess.run([sys.executable, "-c", program], cwd=folder, env=environment, check=True)
+                for name in re.findall(r'"(\w+\.png)"', program):
+                    self.assertGreater((Path(folder) / name).stat().st_size, 1000, name)
 
 
 class Types(unittest.TestCase):
