@@ -20,7 +20,8 @@ template <typename Value>
 py::array_t<Value> arrayOf(std::vector<Value> values, std::vector<py::ssize_t> shape) {
   auto owner = std::make_unique<std::vector<Value>>(std::move(values));
   const Value* const data = owner->data();
-  const py::capsule capsule(owner.get(), [](void* vector) { delete static_cast<std::vector<Value>*>(vector); });
+  const py::capsule capsule(owner.get(),
+                            [](void* vector) { delete static_cast<std::vector<Value>*>(vector); });
   owner.release();
   return py::array_t<Value>(std::move(shape), data, capsule);
 }

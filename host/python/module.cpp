@@ -1,5 +1,5 @@
-// The extension module lavaray._core: the library's functions for arrays of numpy. What users see is in the folder
-// lavaray beside this file.
+// The extension module lavaray._core: the library's functions for arrays of numpy. What users see is in the
+// folder lavaray beside this file.
 
 #include <optional>
 
@@ -12,12 +12,18 @@ namespace {
 
 const char* kindName(ErrorKind kind) {
   switch (kind) {
-    case ErrorKind::kUsage: return "usage";
-    case ErrorKind::kInput: return "input";
-    case ErrorKind::kDevice: return "device";
-    case ErrorKind::kOutput: return "output";
-    case ErrorKind::kMemory: return "memory";
-    case ErrorKind::kInternal: break;
+    case ErrorKind::kUsage:
+      return "usage";
+    case ErrorKind::kInput:
+      return "input";
+    case ErrorKind::kDevice:
+      return "device";
+    case ErrorKind::kOutput:
+      return "output";
+    case ErrorKind::kMemory:
+      return "memory";
+    case ErrorKind::kInternal:
+      break;
   }
   return "internal";
 }

@@ -52,14 +52,22 @@ void bindScene(py::module_& module) {
            [](Scene& scene, const Vec3& position, double fov, double focalLength, double aspect) {
              scene.setCamera({position, fov, focalLength, aspect});
            })
-      .def("set_defaults", [](Scene& scene, double reflect,
-                              double lightRadius) { scene.setDefaults({reflect, lightRadius}); })
-      .def("add_plane", [](Scene& scene, const Vec3& normal, const Vec3& point,
-                           const Material& m) { scene.add(Plane{normal, point, m}); })
-      .def("add_sphere", [](Scene& scene, const Vec3& center, double radius,
-                            const Material& m) { scene.add(Sphere{center, radius, m}); })
-      .def("add_triangle", [](Scene& scene, const std::array<Vec3, 3>& vertices,
-                              const Material& m) { scene.add(Triangle{vertices, m}); })
+      .def("set_defaults",
+           [](Scene& scene, double reflect, double lightRadius) {
+             scene.setDefaults({reflect, lightRadius});
+           })
+      .def("add_plane",
+           [](Scene& scene, const Vec3& normal, const Vec3& point, const Material& m) {
+             scene.add(Plane{normal, point, m});
+           })
+      .def("add_sphere",
+           [](Scene& scene, const Vec3& center, double radius, const Material& m) {
+             scene.add(Sphere{center, radius, m});
+           })
+      .def("add_triangle",
+           [](Scene& scene, const std::array<Vec3, 3>& vertices, const Material& m) {
+             scene.add(Triangle{vertices, m});
+           })
       .def("add_mesh", &addMesh)
       .def("add_light",
            [](Scene& scene, const Vec3& position, const Vec3& ambient, const Vec3& diffuse,
