@@ -48,7 +48,7 @@ class LAVARAY_API Error : public std::runtime_error {
   std::size_t line_;
 };
 
-// Such as "0.1.0".
+// Such as "0.2.0".
 LAVARAY_API const char* version() noexcept;
 
 }  // namespace lavaray::v0
