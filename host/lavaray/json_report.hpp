@@ -6,7 +6,7 @@
 
 namespace lavaray {
 
-// One JSON object each; the README has its schema. Whether all of it was written is for the owner of the
+// One JSON object each; docs/command-line.md has its schema. Whether all of it was written is for the owner of the
 // stream to check.
 
 // What --check says, and the size of the whole picture.

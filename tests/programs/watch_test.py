@@ -113,9 +113,9 @@ def main():
     original = picture.read_bytes()
     scene_text, mesh_text, shader_text = scene.read_text(), mesh.read_text(), shader.read_text()
 
-    # The worked example of the README: another background.
+    # The worked example of docs/command-line.md: another background.
     blue = shader_text.replace('vec3 color = path.color[r];', 'vec3 color = path.color[r] + vec3(0.0, 0.0, 0.25);')
-    demand(blue != shader_text, 'render.comp has the line that the README edits')
+    demand(blue != shader_text, 'render.comp has the line that the document edits')
     for edit in EDITS:
         edit(shader, blue)
         said = lavaray.wait_for('wrote torus.ppm')

@@ -27,9 +27,9 @@ scene, named after it with -peer, and lavaray is measured on the variants, too.
 EPILOG = """\
 examples:
   tools/bench-error --quick                       a first look
-  tools/bench-error --repeats 1                   the slopes and errors of the README
+  tools/bench-error --repeats 1                   the slopes and errors of docs/sampling.md
   tools/bench-error --size 640x480 --spp 4,16,64 --targets 0.005,0.002,0.001 --repeats 1 --seeds 3
-                                                  the times of the README
+                                                  the times of docs/sampling.md
   tools/bench-error --scenes edges,penumbra --spp 4,16,64 --targets ''
   tools/bench-error --size 640x480 --clock wall   larger images, where start-up counts for less
 
