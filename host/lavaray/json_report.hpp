@@ -6,8 +6,8 @@
 
 namespace lavaray {
 
-// One JSON object each; docs/command-line.md has its schema. Whether all of it was written is for the owner of the
-// stream to check.
+// One JSON object each; docs/command-line.md has its schema. Whether all of it was written is for the owner
+// of the stream to check.
 
 // What --check says, and the size of the whole picture.
 void writeJsonCheck(std::FILE* stream, const SceneReport& scene, const ImageSize& picture);
