@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/version.hpp"
+#include "lavaray/tuning_file.hpp"
 
 namespace lavaray {
 namespace {
@@ -78,6 +79,8 @@ Json deviceJson(const vulkan::DeviceDescription& device, const RenderStatistics&
   return {{"name", device.name},
           {"kind", device.kind},
           {"driver", device.driver},
+          {"sceneReadAs", sceneReadAs(render.tuning.sceneInStorage)},
+          {"raysPerInvocation", render.tuning.raysPerLane},
           {"bufferBytes", render.deviceBytes},
           {"dispatches", render.counts.dispatches},
           {"activity", activityJson(render.activity)}};

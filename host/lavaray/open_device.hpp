@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 
+#include "lavaray/device_tuning.hpp"
 #include "lavaray/options.hpp"
 #include "vulkan/device.hpp"
 
@@ -14,7 +15,8 @@ namespace lavaray {
 struct OpenDevice {
   explicit OpenDevice(const Options& options)
       : instance(options.validate ? onMessage() : vulkan::OnMessage()),
-        device(vulkan::chooseDevice(instance, options.device)) {}
+        device(vulkan::chooseDevice(instance, options.device)),
+        tuning(options.tuning, device) {}
   vulkan::OnMessage onMessage() {
     return [this](const std::string& message) {
       ++validationMessages;
@@ -24,6 +26,7 @@ struct OpenDevice {
   std::atomic<int> validationMessages{0};
   vulkan::Instance instance;
   vulkan::Device device;
+  DeviceTuning tuning;
 };
 
 // A device that is opened while other work goes on: drivers take longer to start than most scenes to read.

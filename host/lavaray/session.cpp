@@ -101,6 +101,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   if (preparation && preparation->stop()) minStackSize_ = plan.settings.minStackSize;
   plan.settings.minStackSize = minStackSize_;
   OpenDevice& open = openDevice();
+  tune(open, plan.settings);
   const std::string& deviceName = open.device.description().name;
   viewer_.open(plan.settings.size);
   const Identity identity =
@@ -158,6 +159,13 @@ OpenDevice& Session::openDevice() {
   lavaray::printWarnings(std::cerr, open.instance.warnings());
   if (options_.verbose) std::cerr << "device: " << open.device.description().name << '\n';
   return open;
+}
+
+// A render that is worth measuring for has no pipeline prepared, which would look at the tuning meanwhile.
+void Session::tune(OpenDevice& open, RenderSettings& settings) {
+  open.tuning.prepareFor(inputs_.gpuScene().lightCount, settings, progress_);
+  settings.tuning = open.tuning.get();
+  if (options_.verbose) std::cerr << "tuning: " << open.tuning.description() << '\n';
 }
 
 // Before the picture, so that an interrupted one has its layers.

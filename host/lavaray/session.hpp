@@ -59,6 +59,7 @@ class Session {
   std::unique_ptr<Preparation> beginPreparation(RenderSettings& settings);
   void buildHierarchy();
   OpenDevice& openDevice();
+  void tune(OpenDevice& open, RenderSettings& settings);
   bool traceLayers(Layers& layers, const Plan& plan, const IsOutdated& isOutdated);
   bool run(Render& render, Checkpoint& checkpoint, Outputs& outputs, const IsOutdated& isOutdated);
   void writePicture(Render& render, const Plan& plan, const Identity& identity, Outputs& outputs);

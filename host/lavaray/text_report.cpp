@@ -2,6 +2,8 @@
 
 #include <iomanip>
 
+#include "lavaray/tuning_file.hpp"
+
 namespace lavaray {
 namespace {
 
@@ -90,8 +92,10 @@ void printReport(std::ostream& out, const RunReport& report) {
   printHierarchy(out, report.hierarchy);
   printRender(out, report.render, report.rayRates);
   out << "device\n  name            " << report.device.name << "\n  driver          " << report.device.driver
-      << "\n  buffers         " << mebibytes(report.render.deviceBytes) << " MiB\n  dispatches      "
-      << report.render.counts.dispatches << '\n';
+      << "\n  reads scene as  " << sceneReadAs(report.render.tuning.sceneInStorage) << "\n  traces together "
+      << report.render.tuning.raysPerLane << " rays\n  buffers         "
+      << mebibytes(report.render.deviceBytes) << " MiB\n  dispatches      " << report.render.counts.dispatches
+      << '\n';
   printActivity(out, report.render.activity);
   out << "memory\n  process, peak   " << mebibytes(report.peakMemoryBytes) << " MiB\n";
   printTimes(out, report.times);

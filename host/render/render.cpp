@@ -157,6 +157,7 @@ RenderStatistics Render::statistics() const {
   result.counts = tracer_->counts();
   result.activity = tracer_->activity();
   result.deviceBytes = tracer_->deviceBytes();
+  result.tuning = tracer_->tuning();
   result.largestMeasure = double{largestMeasure()};
   return result;
 }

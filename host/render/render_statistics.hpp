@@ -5,6 +5,7 @@
 
 #include <lavaray/statistics.h>
 
+#include "render/settings.hpp"
 #include "render/trace_counts.hpp"
 #include "vulkan/activity.hpp"
 
@@ -24,6 +25,7 @@ struct RenderStatistics {
   TraceCounts counts;               // of this process
   vulkan::Activity activity;        // if times were recorded
   std::size_t deviceBytes = 0;
+  Tuning tuning;                // the way that was traced in
   double largestMeasure = 0.0;  // of a pixel, where the view is a measure: that is shown as 1
 };
 

@@ -12,6 +12,13 @@
 
 namespace lavaray {
 
+// How a device traces much the fastest. It changes no bit of a picture.
+struct Tuning {
+  bool sceneInStorage = false;    // a scene that is searched is read from storage buffers, not as texels
+  std::uint32_t raysPerLane = 1;  // that an invocation traces together: 1, 2 or 4
+  bool operator==(const Tuning&) const = default;
+};
+
 struct RenderSettings : v0::SamplingOptions {
   ImageSize size;       // of the whole picture
   Rectangle crop;       // the part of it to render
@@ -29,9 +36,10 @@ struct RenderSettings : v0::SamplingOptions {
   bool sceneInStorage = false;
   // Entries of the traversal's stack, at least; those of a prepared pipeline.
   std::uint32_t minStackSize = 0;
-  // The rays that an invocation traces together, 1, 2 or 4, where several are possible; empty is what the
-  // work is worth.
+  // The rays that an invocation traces together, 1, 2 or 4, where several are possible; for comparison. Empty
+  // is what the work is worth.
   std::optional<std::uint32_t> raysPerLane;
+  std::optional<Tuning> tuning;  // empty is the usual one (tuning.hpp)
 };
 
 // Whether each pixel has one sample, in its centre.

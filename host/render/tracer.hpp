@@ -52,6 +52,9 @@ class Tracer {
            isEmpty(entryNodes_, static_cast<std::uint32_t>(pixel), constants_.areaWidth);
   }
   [[nodiscard]] std::uint64_t skippedPixels() const { return skippedPixels_; }
+  [[nodiscard]] Tuning tuning() const {
+    return {variant_.sceneUse == vulkan::BufferUse::kStorage, variant_.raysPerLane};
+  }
   // Bytes of the scene's arrays and of the work on the device.
   [[nodiscard]] std::size_t deviceBytes() const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/scene_buffers.hpp"
+#include "render/tuning.hpp"
 #include "render2RaysSpirv.spv.h"
 #include "render4RaysSpirv.spv.h"
 #include "renderFewPrimitivesSpirv.spv.h"
@@ -18,10 +19,16 @@ namespace {
 constexpr double kRaysWorthTwo = 2e6;
 constexpr double kRaysWorthFour = 5e6;
 
+bool isTraversed(const SceneFeatures& scene) {
+  return scene.primitiveCount > 0 && !scene.hasFewPrimitives;
+}
+
 // A user's shader reads texels.
-bool readsStorage(const RenderSettings& settings, vulkan::BufferUse sceneUse) {
+bool readsStorage(const RenderSettings& settings, vulkan::BufferUse sceneUse, const SceneFeatures& scene,
+                  const Tuning& tuning) {
   if (!settings.shader.empty()) return false;
-  return settings.sceneInStorage || sceneUse == vulkan::BufferUse::kStorage;
+  return settings.sceneInStorage || sceneUse == vulkan::BufferUse::kStorage ||
+         (tuning.sceneInStorage && isTraversed(scene));
 }
 
 // Samples of a pixel, roughly where they follow a target error.
@@ -100,19 +107,18 @@ Expectation finishesItems(const PipelineVariant& variant, const SceneFeatures& s
 }
 
 // The more rays, the faster; but the longer a driver compiles, be it only to find that it has done so before
-// (tools/bench_speed/traversal.md). What a GPU gains or loses is not known yet. Rays search a hierarchy
-// together, and only a single ray's tests are counted, only a single path is resumed.
-std::uint32_t raysPerLane(const vulkan::Device& device, const PipelineVariant& variant,
-                          const SceneFeatures& scene, const RenderSettings& settings) {
-  const bool traverses = scene.primitiveCount > 0 && !scene.hasFewPrimitives;
-  if (!traverses || variant.finishesItems == Expectation::kNo || !settings.shader.empty() ||
+// (tools/bench_speed/traversal.md). Rays search a hierarchy together, and only a single ray's tests are
+// counted, only a single path is resumed.
+std::uint32_t raysPerLane(const PipelineVariant& variant, const SceneFeatures& scene,
+                          const RenderSettings& settings, const Tuning& tuning) {
+  if (!isTraversed(scene) || variant.finishesItems == Expectation::kNo || !settings.shader.empty() ||
       settings.view == View::kCost)
     return 1;
   if (settings.raysPerLane) return *settings.raysPerLane;
-  if (!device.description().isCpu) return 1;
   const double rays = estimatedRays(variant.lights, settings);
   if (rays < kRaysWorthTwo) return 1;
-  return rays < kRaysWorthFour || samplesOf(settings) == 2 ? 2 : 4;
+  const std::uint32_t worth = rays < kRaysWorthFour || samplesOf(settings) == 2 ? 2 : 4;
+  return std::min(worth, tuning.raysPerLane);
 }
 
 // For more than one ray.
@@ -152,7 +158,8 @@ PipelineVariant chooseVariant(const vulkan::Device& device, const SceneFeatures&
                               std::uint32_t bvhDepth, vulkan::BufferUse sceneUse,
                               const RenderSettings& settings) {
   PipelineVariant variant;
-  const bool inStorage = readsStorage(settings, sceneUse);
+  const Tuning tuning = settings.tuning.value_or(usualTuning(device.description().isCpu));
+  const bool inStorage = readsStorage(settings, sceneUse, scene, tuning);
   variant.sceneUse = inStorage ? vulkan::BufferUse::kStorage : vulkan::BufferUse::kTexels;
   variant.specialization = specialization(scene, bvhDepth, settings);
   if (tracesLights(settings.view)) variant.lights = scene.lightCount;
@@ -160,7 +167,7 @@ PipelineVariant chooseVariant(const vulkan::Device& device, const SceneFeatures&
   variant.skipsEmptyTiles = skipsEmptyTiles(scene, settings);
   if (settings.specialized) variant.finishesItems = finishesItems(variant, scene);
   variant.specialization[gpu::kSpecResumable] = variant.finishesItems == Expectation::kNo ? 1 : 0;
-  variant.raysPerLane = raysPerLane(device, variant, scene, settings);
+  variant.raysPerLane = raysPerLane(variant, scene, settings, tuning);
   variant.resumable = inStorage ? renderFromStorageSpirv : shaderOf(settings, scene.hasFewPrimitives);
   variant.shader = variant.raysPerLane == 1 ? variant.resumable : moduleOf(variant.raysPerLane, inStorage);
   return variant;

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from bench_speed import plot, processes
+from bench_speed import plot, processes, tunings
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
@@ -36,9 +36,9 @@ def parse_options(arguments):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("-h", "--help", action="store_true", help="print this and the options of the program bench-speed")
-    add("--only", choices=("rays", "sizes", "pipelines", "processes"),
+    add("--only", choices=("rays", "sizes", "pipelines", "processes", "tunings"),
         help="one part: the program bench-speed; the same with pictures of several sizes; specialized against general "
-             "pipelines; or whole programs")
+             "pipelines; whole programs; or the ways to trace on each driver that tools/unpack-drivers has unpacked")
     add("--out", type=Path, default=BUILD / "bench-speed", metavar="FOLDER",
         help="for results (default: build/bench-speed of this checkout)")
     add("--quick", action="store_true", help="a first look: few scenes, 3 rounds")
@@ -130,6 +130,15 @@ def measure_processes(options):
     print(f"saved in {options.out}: processes.txt, processes.json")
 
 
+def measure_tunings(options):
+    results = tunings.measure(program("lavaray"), ROOT, options.rounds)
+    text = tunings.report(results)
+    print("\n" + text)
+    (options.out / "tunings.txt").write_text(text)
+    (options.out / "tunings.json").write_text(json.dumps(results, indent=1) + "\n")
+    print(f"saved in {options.out}: tunings.txt, tunings.json")
+
+
 def main(arguments=None):
     try:
         options = parse_options(arguments)
@@ -145,6 +154,8 @@ def main(arguments=None):
             measure_pipelines(options)
         if options.only in (None, "processes"):
             measure_processes(options)
+        if options.only in (None, "tunings"):
+            measure_tunings(options)
     except (processes.ProgramError, subprocess.CalledProcessError, OSError) as error:
         print(f"bench-speed: {error}", file=sys.stderr)
         return 1

@@ -1,0 +1,109 @@
+#include "lavaray/tuning_file.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <sstream>
+#include <system_error>
+
+#include "base/errors.hpp"
+#include "base/output_file.hpp"
+#include "command_line/version.hpp"
+
+namespace lavaray {
+namespace {
+
+namespace fs = std::filesystem;
+
+// By the XDG Base Directory Specification; empty if there is none.
+fs::path cacheFolder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  if (const fs::path folder = variable("XDG_CACHE_HOME"); folder.is_absolute()) return folder / "lavaray";
+  if (const fs::path home = variable("HOME"); home.is_absolute()) return home / ".cache" / "lavaray";
+  return {};
+}
+
+// What the times depend on: the first line of the file.
+std::string identity(const vulkan::DeviceDescription& device) {
+  return "lavaray " + std::string(kVersion) + ", " + device.name + ", " + device.driver;
+}
+
+fs::path tuningFile(const vulkan::DeviceDescription& device) {
+  const fs::path folder = cacheFolder();
+  if (folder.empty()) return {};
+  std::string name = "tuning";
+  for (const char c : device.name + ' ' + device.driver) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      name += c;
+    } else if (name.back() != '-') {
+      name += '-';
+    }
+  }
+  return folder / (name + ".txt");
+}
+
+std::optional<TuningTime> readTime(const std::string& line) {
+  std::istringstream words(line);
+  words.imbue(std::locale::classic());
+  std::string name;
+  double seconds = 0.0;
+  if (!(words >> name >> seconds) || !(seconds > 0.0) || !std::isfinite(seconds)) return std::nullopt;
+  const std::optional<Tuning> tuning = tuningNamed(name);
+  if (!tuning) return std::nullopt;
+  return TuningTime{*tuning, seconds};
+}
+
+}  // namespace
+
+std::string sceneReadAs(bool inStorage) {
+  return inStorage ? "storage" : "texels";
+}
+
+std::string tuningName(const Tuning& tuning) {
+  return sceneReadAs(tuning.sceneInStorage) + ',' + std::to_string(tuning.raysPerLane);
+}
+
+std::optional<Tuning> tuningNamed(const std::string& name) {
+  for (const bool inStorage : {false, true}) {
+    for (const std::uint32_t rays : {1U, 2U, 4U}) {
+      const Tuning tuning{inStorage, rays};
+      if (tuningName(tuning) == name) return tuning;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<TuningTime> readTuningFile(const vulkan::DeviceDescription& device) {
+  std::ifstream file(tuningFile(device));
+  std::string line;
+  if (!std::getline(file, line) || line != identity(device)) return {};
+  std::vector<TuningTime> times;
+  while (std::getline(file, line)) {
+    const std::optional<TuningTime> time = readTime(line);
+    if (!time) return {};
+    times.push_back(*time);
+  }
+  return times;
+}
+
+void writeTuningFile(const vulkan::DeviceDescription& device, std::span<const TuningTime> times) {
+  const fs::path name = tuningFile(device);
+  if (name.empty()) throw Error(ExitCode::kOutput, "neither XDG_CACHE_HOME nor HOME names a folder");
+  std::error_code ignored;  // the file tells
+  fs::create_directories(name.parent_path(), ignored);
+  OutputFile file({.option = "the tuning", .file = name});
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << identity(device) << '\n';
+  for (const TuningTime& time : times) text << tuningName(time.tuning) << ' ' << time.seconds << '\n';
+  std::fputs(text.str().c_str(), file.stream());
+  file.commit();
+}
+
+}  // namespace lavaray
