@@ -256,6 +256,14 @@ struct WorkState {
 };
 LAVARAY_SIZE(WorkState, 48);
 
+// Kinds of turns of the loops that search the hierarchy, for the nearest hit or, of shadow rays, for any:
+// those of single lanes, and the lanes of the subgroups that make them.
+const uint kTurnsForNearestHit = 0u;
+const uint kLanesForNearestHit = 1u;
+const uint kTurnsForAnyHit = 2u;
+const uint kLanesForAnyHit = 3u;
+const uint kTurnKinds = 4u;
+
 // What a dispatch tells the host.
 struct DispatchStatus {
   uint unfinished;  // work items that need another dispatch
@@ -267,8 +275,10 @@ struct DispatchStatus {
   uint padding0;
   uint padding1;
   uint padding2;
+  uint turns[kTurnKinds];          // the lower 32 bits of their numbers
+  uint higherOfTurns[kTurnKinds];  // the higher
 };
-LAVARAY_SIZE(DispatchStatus, 32);
+LAVARAY_SIZE(DispatchStatus, 64);
 
 // Push constants.
 struct DispatchConstants {

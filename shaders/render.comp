@@ -11,11 +11,10 @@
 #include "camera.glsl"
 #include "lane.glsl"
 #include "path.glsl"
+#include "status.glsl"
 #include "work_state.glsl"
 
 layout(local_size_x = kWorkGroupSize) in;
-
-layout(constant_id = kSpecCountRays) const bool kCountRays = false;
 
 layout(std430, set = 0, binding = kBindingWork) readonly buffer Work {
   WorkItem work[];
@@ -25,9 +24,6 @@ layout(std430, set = 0, binding = kBindingResults) buffer Results {
 };
 layout(std430, set = 0, binding = kBindingStates) buffer States {
   WorkState unfinishedItems[];
-};
-layout(std430, set = 0, binding = kBindingStatus) buffer Status {
-  DispatchStatus status;
 };
 layout(push_constant) uniform PushConstants {
   DispatchConstants constants;
@@ -129,11 +125,7 @@ void main() {
   const WorkState before = states[0];
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u);
   const bool finished = takeAllSamples(lane, states, path, counts);
-  if (kCountRays) {
-    atomicAdd(status.shadowRays, counts.shadow);
-    atomicAdd(status.mirrorRays, counts.mirror);
-    atomicAdd(status.skippedShadowRays, counts.skippedShadow);
-  }
+  tell(counts);
   if (!finished) atomicAdd(status.unfinished, 1u);
   if (kResumable && !finished) {
     save(path, states[0]);

@@ -3,6 +3,7 @@
 #define TRAVERSE_GLSL
 
 #include "hit.glsl"
+#include "lane_use.glsl"
 #include "node.glsl"
 
 // A primitive at the same distance as the nearest one so far may have a box that, by rounding, begins behind
@@ -43,6 +44,7 @@ bool traverseTogether(const bool anyHit, Packet packet, Approach approach, inout
           const bvec4 enters = entersChildren(anyHit, approach, reference, tMax, entry);
           const uint entered = enteredSlots(!anyHit, enters, entry);
           if (kCountsTests) ++tests;
+          countTurn(anyHit);
           reference = takeChild(reference, entered, stack);
           ++steps;
         }
@@ -54,6 +56,7 @@ bool traverseTogether(const bool anyHit, Packet packet, Approach approach, inout
         if (i < end) {
           hitPrimitive(anyHit, packet, sheared, approach.axis, i, hits);
           if (kCountsTests && i != packet.skipped[0]) ++tests;
+          countTurn(anyHit);
           ++i;
         }
       } while (i < end);

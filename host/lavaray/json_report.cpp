@@ -45,6 +45,10 @@ Json bvhJson(const HierarchyReport& hierarchy) {
           {"sahCost", built.sahCost}};
 }
 
+Json shareOrNull(double share) {
+  return share > 0.0 ? Json(share) : Json();
+}
+
 Json raysJson(const TraceCounts& counts, const RayRates& rates) {
   return {
       {"camera", counts.samples},
@@ -53,7 +57,10 @@ Json raysJson(const TraceCounts& counts, const RayRates& rates) {
       {"skippedCamera", counts.skippedSamples},
       {"skippedShadow", counts.skippedShadowRays},
       {"perSecond",
-       {{"camera", rates.camera}, {"mirror", rates.mirror}, {"shadow", rates.shadow}, {"all", rates.all()}}}};
+       {{"camera", rates.camera}, {"mirror", rates.mirror}, {"shadow", rates.shadow}, {"all", rates.all()}}},
+      {"lanesInUse",
+       {{"nearestHits", shareOrNull(counts.nearestHitLanesInUse())},
+        {"shadows", shareOrNull(counts.shadowLanesInUse())}}}};
 }
 
 Json samplingJson(const RenderStatistics& render) {

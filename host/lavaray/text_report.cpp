@@ -1,6 +1,7 @@
 #include "lavaray/text_report.hpp"
 
 #include <iomanip>
+#include <string>
 
 #include "lavaray/tuning_file.hpp"
 
@@ -30,15 +31,22 @@ double millions(double number) {
   return 1e-6 * number;
 }
 
+// Of nothing there is no share.
+std::string percent(double share) {
+  return share > 0.0 ? std::to_string(static_cast<int>(100.0 * share + 0.5)) + " %" : "none";
+}
+
 void printRender(std::ostream& out, const RenderStatistics& render, const RayRates& rates) {
   out << "rays\n  camera          " << render.counts.samples << " (" << render.samplesPerPixel
       << " a pixel, at most " << render.maxSamples << ")\n  mirror          " << render.counts.mirrorRays
       << "\n  shadow          " << render.counts.shadowRays << "\n  a second        " << millions(rates.all())
       << " M: " << millions(rates.camera) << " M camera, " << millions(rates.mirror) << " M mirror, "
-      << millions(rates.shadow) << " M shadow\nskipped\n  camera rays     " << render.counts.skippedSamples
-      << "\n  shadow rays     " << render.counts.skippedShadowRays << "\n  black pixels    "
-      << render.skippedPixels << "\nsampling\n  stopped         " << stopReasonName(render.stopReason)
-      << '\n';
+      << millions(rates.shadow) << " M shadow\n  lanes in use    "
+      << percent(render.counts.nearestHitLanesInUse()) << " for nearest hits, "
+      << percent(render.counts.shadowLanesInUse()) << " for shadows\nskipped\n  camera rays     "
+      << render.counts.skippedSamples << "\n  shadow rays     " << render.counts.skippedShadowRays
+      << "\n  black pixels    " << render.skippedPixels << "\nsampling\n  stopped         "
+      << stopReasonName(render.stopReason) << '\n';
   if (render.estimatedError > 0.0) {
     out << "  estimated RMSE  " << std::setprecision(6) << render.estimatedError << std::setprecision(2)
         << '\n';

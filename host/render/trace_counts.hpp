@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+
+#include "interface.h"
 
 namespace lavaray {
 
@@ -14,6 +17,20 @@ struct TraceCounts {
   std::uint64_t shadowRays = 0;
   std::uint64_t skippedShadowRays = 0;  // their light would add nothing, or nothing that shows
   std::uint64_t mirrorRays = 0;
+  // By gpu::kTurns...: of the loops that search the hierarchy.
+  std::array<std::uint64_t, gpu::kTurnKinds> turns{};
+
+  // The share of lanes that had something to do in the turns of their subgroups; 0 where there were none.
+  [[nodiscard]] double lanesInUse(gpu::uint turnsOfLanes, gpu::uint lanesOfSubgroups) const {
+    const auto lanes = static_cast<double>(turns[lanesOfSubgroups]);
+    return lanes > 0.0 ? static_cast<double>(turns[turnsOfLanes]) / lanes : 0.0;
+  }
+  [[nodiscard]] double nearestHitLanesInUse() const {
+    return lanesInUse(gpu::kTurnsForNearestHit, gpu::kLanesForNearestHit);
+  }
+  [[nodiscard]] double shadowLanesInUse() const {
+    return lanesInUse(gpu::kTurnsForAnyHit, gpu::kLanesForAnyHit);
+  }
 };
 
 }  // namespace lavaray

@@ -226,6 +226,8 @@ gpu::DispatchStatus Tracer::wait(Batch& batch, vulkan::ComputeShader& shader) {
   counts_.shadowRays += found.shadowRays;
   counts_.mirrorRays += found.mirrorRays;
   counts_.skippedShadowRays += found.skippedShadowRays;
+  for (gpu::uint i = 0; i < gpu::kTurnKinds; ++i)
+    counts_.turns[i] += (std::uint64_t{found.higherOfTurns[i]} << 32U) | found.turns[i];
   return found;
 }
 

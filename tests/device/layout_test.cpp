@@ -98,6 +98,8 @@ TEST(Layout, IsTheSameOnHostAndDevice) {
   EXPECT_EQ(shared->statuses[1].shadowRays, 7U);
   EXPECT_EQ(shared->statuses[1].mirrorRays, 8U);
   EXPECT_EQ(shared->statuses[1].skippedShadowRays, 9U);
+  EXPECT_EQ(shared->statuses[1].turns[0], 13U);
+  EXPECT_EQ(shared->statuses[1].higherOfTurns[3], 20U);
 }
 
 TEST(Buffer, OverTheDevicesReachNamesTheNumberAndTheLimit) {

@@ -98,7 +98,7 @@ constexpr Edit kEdits[] = {
      "a work group is 32 x 2 x 1, the program's is 64 x 1 x 1"},
     {"SpecializedWorkGroup", "render.comp", "local_size_x = kWorkGroupSize", "local_size_x_id = 3",
      "the size of a work group must not be a specialization constant"},
-    {"UnknownSpecialization", "render.comp", "constant_id = kSpecCountRays", "constant_id = 16",
+    {"UnknownSpecialization", "lane_use.glsl", "constant_id = kSpecCountRays", "constant_id = 16",
      "`kCountRays` is specialization constant 16, the program has 0 to 15 only"},
     {"FloatSpecialization", "scene_data.glsl", "const uint kPlaneCount = 0u;",
      "const float kPlanes = 0.0; uint kPlaneCount = uint(kPlanes);",

@@ -107,5 +107,6 @@ void main() {
   putConstants(end);
   putWork(end);
   results[1] = WorkResult(vec3(1.0, 2.0, 3.0), 4.0);
-  statuses[1] = DispatchStatus(5u, 6u, 7u, 8u, 9u, 10u, 11u, 12u);
+  statuses[1] = DispatchStatus(5u, 6u, 7u, 8u, 9u, 10u, 11u, 12u, uint[](13u, 14u, 15u, 16u),
+                               uint[](17u, 18u, 19u, 20u));
 }
