@@ -29,7 +29,7 @@ std::vector<Options> parseOptions(int argc, const char* const* argv) {
   if (options.listDevices) return {options};
   if (scenes.empty()) throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
   checkViewAndError(options);
-  const std::vector<Options> all = optionsOfScenes(options, scenes);
+  std::vector<Options> all = optionsOfScenes(options, scenes);
   for (const Options& one : all) checkOptions(one);
   return all;
 }

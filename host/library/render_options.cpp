@@ -99,7 +99,7 @@ RenderPlan planFor(const v0::RenderOptions& options, const Scene& scene) {
   checkFilm(options);
   RenderPlan plan;
   RenderSettings& settings = plan.settings;
-  static_cast<v0::SamplingOptions&>(settings) = options;
+  static_cast<v0::SamplingOptions&>(settings) = static_cast<const v0::SamplingOptions&>(options);
   settings.size = outputSize(options, imageSize(scene.camera).value());
   const Rectangle whole{0, 0, settings.size.width, settings.size.height};
   plan.part = v0::cropWithin(options.crop, settings.size);

@@ -52,9 +52,9 @@ expect 1 "$(says 'Arch Linux' 'ninja python xdotool')" "$scratch/arch-few" build
 # Without a compiler no header or library can be found, and each package is named once.
 expect 1 "$(says 'Arch Linux' 'gcc glslang spirv-tools spirv-headers vulkan-headers glm cimg libpng openexr cli11 nlohmann-json xxhash libx11 vulkan-icd-loader')" \
   "$scratch/arch-no-compiler" build
-expect 2 'setup: unknown purpose tests, allowed are build, test, swiftshader, gallery, format, fuzz, package, package-test, slurm-test' \
+expect 2 'setup: unknown purpose tests, allowed are build, test, swiftshader, gallery, format, tidy, fuzz, package, package-test, slurm-test' \
   "$scratch/all" tests
-expect 2 'setup: unknown purpose without a name, allowed are build, test, swiftshader, gallery, format, fuzz, package, package-test, slurm-test' \
+expect 2 'setup: unknown purpose without a name, allowed are build, test, swiftshader, gallery, format, tidy, fuzz, package, package-test, slurm-test' \
   "$scratch/all"
 
 echo "$checks checks, $failures failures"
