@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""documents_test.py SOURCE: whether what the project's Markdown files link to, beside each other and within, is there."""
+"""documents_test.py SOURCE: whether what the project's Markdown files link to, beside each other and within, is there, and
+whether the parts that a tool writes have their marks, the tool, its command and the date."""
 
 import re
 import sys
@@ -39,7 +40,19 @@ for document in documents:
         reached = any(document.name in other.read_text() for other in source.glob("docs/*.md") if other != document)
         if not reached:
             broken.append(f"{document.relative_to(source)}: neither the README nor another document links to it")
+parts = 0
+for document in documents:
+    text = document.read_text()
+    for name, tool in re.findall(r"<!-- ([\w-]+): written by (\S+)", text):
+        parts += 1
+        written = re.search(rf"<!-- {name}: written by [^>]*-->\n(.*?)<!-- end of {name} -->\n", text, re.DOTALL)
+        if not (source / tool).is_file():
+            broken.append(f"{document.relative_to(source)}: {name}: there is no {tool}")
+        if not written or not re.search(r"\nBy\s`[^`]+`:[^|]*\d{4}-\d\d-\d\d\.\n", written.group(1)):
+            broken.append(f"{document.relative_to(source)}: {name}: no end, or not by which command and when")
+if parts < 2:
+    broken.append(f"only {parts} parts written by tools were found")
 if links < 30:
     broken.append(f"only {links} links were found")
-print("\n".join(broken) or f"{links} links in {len(documents)} documents")
+print("\n".join(broken) or f"{links} links and {parts} parts written by tools in {len(documents)} documents")
 sys.exit(bool(broken))

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from figures import parts
 from gallery import page
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -89,7 +90,7 @@ def main(arguments=None):
             print(results[-1]["picture"], flush=True)
         if options.page:
             page.write(ROOT / "docs", results)
-    except (GalleryError, page.PageError, subprocess.CalledProcessError, OSError) as error:
+    except (GalleryError, parts.PageError, subprocess.CalledProcessError, OSError) as error:
         print(f"make-gallery: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
