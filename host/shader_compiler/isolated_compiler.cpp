@@ -44,18 +44,21 @@ std::optional<std::pair<Kind, std::string_view>> takeRecord(std::string_view& by
   return std::pair{head.kind, content};
 }
 
-// The request is a character that says for which scenes, followed by the directory.
-std::string request(const std::filesystem::path& directory, bool forFewPrimitives) {
-  return (forFewPrimitives ? "f" : "a") + directory.native();
-}
+// A request is one of these characters, followed by the directory or the file.
+constexpr char kForFewPrimitives = 'f';
+constexpr char kForAnyScene = 'a';
+constexpr char kOwn = 'o';
 
 void compileRequested(const std::string& request, const IsolatedWork::Send& send) {
-  const std::filesystem::path directory = request.substr(1);
+  const char kind = request[0];
+  const std::filesystem::path path = request.substr(1);
   const auto sendFile = [&](const std::filesystem::path& file) {
     sendRecord(send, Kind::kFile, file.native());
   };
   try {
-    const CompiledShader shader = compileRenderShader(directory, request[0] == 'f', sendFile);
+    const CompiledShader shader = kind == kOwn
+                                      ? compileOwnShader(path, sendFile)
+                                      : compileRenderShader(path, kind == kForFewPrimitives, sendFile);
     for (const std::string& warning : shader.warnings) sendRecord(send, Kind::kWarning, warning);
     sendRecord(send, Kind::kSpirv,
                {reinterpret_cast<const char*>(shader.spirv.data()), 4 * shader.spirv.size()});
@@ -82,7 +85,16 @@ void prepare() {
 IsolatedCompiler::IsolatedCompiler() : work_(prepare, compileRequested) {}
 
 CompiledShader IsolatedCompiler::compile(const std::filesystem::path& directory, bool forFewPrimitives) {
-  const IsolatedWork::Result result = work_.run(request(directory, forFewPrimitives));
+  return compile(forFewPrimitives ? kForFewPrimitives : kForAnyScene, directory, directory / "render.comp");
+}
+
+CompiledShader IsolatedCompiler::compileOwn(const std::filesystem::path& file) {
+  return compile(kOwn, file, file);
+}
+
+CompiledShader IsolatedCompiler::compile(char request, const std::filesystem::path& path,
+                                         const std::filesystem::path& source) {
+  const IsolatedWork::Result result = work_.run(request + path.native());
   CompiledShader shader;
   std::optional<std::string> error;
   std::string_view rest = result.sent;
@@ -105,7 +117,6 @@ CompiledShader IsolatedCompiler::compile(const std::filesystem::path& directory,
     }
   }
   if (!result.failure.empty()) {
-    const std::filesystem::path source = directory / "render.comp";
     if (shader.files.empty()) shader.files.push_back(source);
     error =
         printable(source.native()) + ": the shader compiler ended in the middle of it (" + result.failure +

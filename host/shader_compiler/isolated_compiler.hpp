@@ -13,10 +13,16 @@ namespace lavaray {
 class IsolatedCompiler {
  public:
   IsolatedCompiler();
-  // As compileRenderShader, but for one thread at a time.
+  // As compileRenderShader and compileOwnShader, but for one thread at a time.
   CompiledShader compile(const std::filesystem::path& directory, bool forFewPrimitives);
+  CompiledShader compileOwn(const std::filesystem::path& file);
+  // Whether the process that compiles is still there: it ends with the thread that made it.
+  [[nodiscard]] bool isServing() const { return work_.isServing(); }
 
  private:
+  CompiledShader compile(char request, const std::filesystem::path& path,
+                         const std::filesystem::path& source);
+
   IsolatedWork work_;
 };
 

@@ -34,6 +34,9 @@ class IsolatedWork {
   // Does the work and waits for it; what the work prints goes nowhere. For one thread at a time.
   Result run(const std::string& request);
 
+  // False once a request has found the server gone.
+  [[nodiscard]] bool isServing() const { return server_ > 0; }
+
  private:
   int socket_ = -1;
   pid_t server_ = -1;

@@ -4,6 +4,7 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <algorithm>
+#include <charconv>
 #include <spirv-tools/libspirv.hpp>
 
 #include "base/text_location.hpp"
@@ -192,30 +193,21 @@ std::string validate(const std::vector<std::uint32_t>& spirv) {
   return tools.Validate(spirv) ? std::string() : reason;
 }
 
-}  // namespace
-
-void prepareCompiler() {
-  CompilerProcess::ensure();
-}
-
-CompiledShader compileRenderShader(const std::filesystem::path& directory, bool forFewPrimitives,
-                                   const std::function<void(const std::filesystem::path&)>& onFile) {
+CompiledShader compile(ShaderSources& sources, bool forFewPrimitives) {
   prepareCompiler();
-  ShaderSources sources(directory, onFile);
   Complaints complaints(sources, forFewPrimitives);
-  sources.add(kSource);
-  sources.add(kInterface);
   complaints.addAll(sources.complaints());
   complaints.throwIfAny();
 
   Compilation compilation(sources, forFewPrimitives);
   const bool isParsed = compilation.parse();
   // Checked before the compiler's messages, which may merely follow from this.
-  const ShaderSource& interface = sources.sources()[1];
-  if (const auto line = firstDifference(interface.text)) {
-    complaints.add(messageAt({interface.path, *line}, kOtherInterface));
-    complaints.throwIfAny();
+  for (const ShaderSource& source : sources.sources()) {
+    if (source.path.filename() != kInterface) continue;
+    if (const auto line = firstDifference(source.text))
+      complaints.add(messageAt({source.path, *line}, kOtherInterface));
   }
+  complaints.throwIfAny();
   complaints.addAll(sources.complaints());
   complaints.throwIfAny();
 
@@ -242,6 +234,45 @@ CompiledShader compileRenderShader(const std::filesystem::path& directory, bool 
   for (const Misfit& misfit : findMisfits(written, spirv)) complaints.add(misfit);
   complaints.throwIfAny();
   return {std::move(spirv), sources.files(), std::move(warnings)};
+}
+
+// Where the first line of a message about one of the files points to.
+std::pair<std::string, std::size_t> locationIn(std::string_view message,
+                                               const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files) {
+    const std::string name = printable(file.native());
+    if (!message.starts_with(name + ":")) continue;
+    const std::string_view rest = message.substr(name.size() + 1);
+    std::size_t line = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), line);
+    const bool isLine = error == std::errc() && end != rest.data() + rest.size() && *end == ':';
+    return {name, isLine ? line : 0};
+  }
+  return {};
+}
+
+}  // namespace
+
+ShaderError::ShaderError(const std::string& message, std::vector<std::filesystem::path> files)
+    : ShaderError(message, locationIn(message, files), std::move(files)) {}
+
+void prepareCompiler() {
+  CompilerProcess::ensure();
+}
+
+CompiledShader compileRenderShader(const std::filesystem::path& directory, bool forFewPrimitives,
+                                   const OnShaderFile& onFile) {
+  ShaderSources sources(directory, onFile);
+  sources.add(kSource);
+  sources.add(kInterface);
+  return compile(sources, forFewPrimitives);
+}
+
+CompiledShader compileOwnShader(const std::filesystem::path& file, const OnShaderFile& onFile) {
+  constexpr bool kOffersBuiltIn = true;
+  ShaderSources sources(file.parent_path(), onFile, kOffersBuiltIn);
+  sources.add(file.filename().string());
+  return compile(sources, false);
 }
 
 }  // namespace lavaray

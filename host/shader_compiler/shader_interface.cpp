@@ -6,6 +6,7 @@
 
 #include "base/text_location.hpp"
 #include "interface.h"
+#include "shader_compiler/built_in_sources.hpp"
 #include "shader_compiler/spirv_module.hpp"
 
 namespace lavaray {
@@ -168,7 +169,7 @@ class Comparison {
 }  // namespace
 
 std::optional<std::size_t> firstDifference(std::string_view interface) {
-  const std::string_view expected = builtInInterface();
+  const std::string_view expected = builtInSource("interface.h").value();
   if (interface == expected) return std::nullopt;
   const auto [end, ignored] = std::ranges::mismatch(interface, expected);
   return 1 + static_cast<std::size_t>(std::count(interface.begin(), end, '\n'));

@@ -10,9 +10,6 @@
 
 namespace lavaray {
 
-// The bytes of shaders/interface.h that this program was built with.
-std::string_view builtInInterface();
-
 // The first line, from 1, at which this interface.h differs from the program's; empty where none does.
 std::optional<std::size_t> firstDifference(std::string_view interface);
 

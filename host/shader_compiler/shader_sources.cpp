@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/text_lines.hpp"
 #include "base/text_location.hpp"
+#include "shader_compiler/built_in_sources.hpp"
 
 namespace lavaray {
 namespace {
@@ -21,10 +22,16 @@ constexpr std::uintmax_t kMaxFileSize = std::uintmax_t{4} << 20U;
 
 constexpr auto kNone = static_cast<std::size_t>(-1);
 
+// Where messages say that the built-in headers are.
+constexpr const char* kBuiltInFolder = "<lavaray>";
+
 }  // namespace
 
-ShaderSources::ShaderSources(std::filesystem::path directory, OnFile onFile)
-    : directory_(std::move(directory)), onFile_(std::move(onFile)), openFolders_{directory_} {}
+ShaderSources::ShaderSources(std::filesystem::path directory, OnFile onFile, bool offersBuiltIn)
+    : directory_(std::move(directory)),
+      onFile_(std::move(onFile)),
+      offersBuiltIn_(offersBuiltIn),
+      openFolders_{directory_} {}
 
 void ShaderSources::add(const std::string& name) {
   const std::filesystem::path file = directory_ / name;
@@ -45,11 +52,12 @@ std::size_t ShaderSources::include(std::string_view header, std::size_t depth) {
     return kNone;
   }
   openFolders_.resize(depth);
+  // An include is relative even if it begins with a slash.
+  const std::filesystem::path name = std::filesystem::path(header).relative_path();
   for (std::size_t i = depth; i-- > 0;) {
-    // An include is relative even if it begins with a slash.
-    const std::filesystem::path file = openFolders_[i] / std::filesystem::path(header).relative_path();
+    const std::filesystem::path file = openFolders_[i] / name;
     std::string reason;
-    const std::size_t source = read(file, reason);
+    const std::size_t source = openFolders_[i] == kBuiltInFolder ? readBuiltIn(name) : read(file, reason);
     if (source != kNone) {
       openFolders_.push_back(file.parent_path());
       return source;
@@ -59,13 +67,30 @@ std::size_t ShaderSources::include(std::string_view header, std::size_t depth) {
       return kNone;
     }
   }
-  includeFailure_ = "no such file in " + directory_.string();
-  return kNone;
+  const std::string folder = directory_.empty() ? "." : directory_.string();
+  includeFailure_ = "no such file in " + folder;
+  if (!offersBuiltIn_) return kNone;
+  includeFailure_ += ", and none of " + builtInSourceNames();
+  openFolders_.emplace_back(kBuiltInFolder);
+  return readBuiltIn(name);
+}
+
+std::size_t ShaderSources::find(const std::filesystem::path& path) const {
+  const auto known = std::ranges::find(sources_, path, &ShaderSource::path);
+  return known == sources_.end() ? kNone : static_cast<std::size_t>(known - sources_.begin());
+}
+
+std::size_t ShaderSources::readBuiltIn(const std::filesystem::path& name) {
+  const std::filesystem::path path = kBuiltInFolder / name;
+  if (const std::size_t known = find(path); known != kNone) return known;
+  const std::optional<std::string_view> text = builtInSource(name.native());
+  if (!text) return kNone;
+  sources_.push_back({path, std::string(*text)});
+  return sources_.size() - 1;
 }
 
 std::size_t ShaderSources::read(const std::filesystem::path& file, std::string& reason) {
-  const auto known = std::ranges::find(sources_, file, &ShaderSource::path);
-  if (known != sources_.end()) return static_cast<std::size_t>(known - sources_.begin());
+  if (const std::size_t known = find(file); known != kNone) return known;
   if (std::ranges::find(files_, file) == files_.end()) {
     files_.push_back(file);
     onFile_(file);

@@ -27,11 +27,13 @@ std::set<std::string> names(const std::vector<std::filesystem::path>& files,
   return result;
 }
 
-// The source and its includes; there are no others.
+// The source and its includes; there are no others but the one for shaders of users' own.
 std::set<std::string> shaderFiles() {
+  constexpr std::string_view kForUsers = "pixel.glsl";
   std::set<std::string> result;
   for (const auto& entry : std::filesystem::directory_iterator(LAVARAY_SHADERS_DIR)) {
-    if (entry.path().filename() != "CMakeLists.txt") result.insert(entry.path().filename());
+    const std::string name = entry.path().filename();
+    if (name != "CMakeLists.txt" && name != kForUsers) result.insert(name);
   }
   return result;
 }

@@ -1,0 +1,12 @@
+# cmake -DFOLDER=... -DOUTPUT=... -P built_in_texts.cmake: makes a C++ header of the headers in the shaders' folder.
+set(code "#pragma once\n\n#include <string_view>\n\nnamespace lavaray {\n\nstruct BuiltInText {\n")
+string(APPEND code "  std::string_view name;\n  std::string_view text;\n};\n\n")
+string(APPEND code "inline constexpr BuiltInText kBuiltInTexts[] = {\n")
+file(GLOB files ${FOLDER}/*.glsl ${FOLDER}/*.h)
+foreach(file ${files})
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} text)
+  string(APPEND code "    {\"${name}\", R\"lavaray(${text})lavaray\"},\n")
+endforeach()
+string(APPEND code "};\n\n}  // namespace lavaray\n")
+file(WRITE ${OUTPUT} "${code}")
