@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/text_location.hpp"
-#include "render/tracer.hpp"
+#include "render/pixel_values.hpp"
 
 namespace lavaray {
 namespace {
@@ -73,17 +73,10 @@ bool traceLayer(vulkan::Device& device, const GpuScene& scene, RenderSettings se
   assert(isTraced(layer));
   settings.view = viewOf(layer);
   settings.asData = true;
-  settings.samples = 1;
-  settings.range.reset();
-  settings.targetError.reset();
-  settings.countRays = false;
-  const std::uint64_t pixels = settings.crop.pixels();
-  Tracer tracer(device, scene, settings, settings.crop, pixels);
-  std::uint64_t done = 0;
   std::vector<float> values;
-  return tracer.run(
-      uniformPass(pixels, {0, 1}), 0,
-      [&](std::uint64_t /*first*/, std::span<const gpu::WorkResult> results) {
+  return tracePixels(
+      device, scene, settings,
+      [&](std::span<const gpu::WorkResult> results) {
         values.clear();
         for (const gpu::WorkResult& result : results) {
           if (layer == Layer::kDepth) {
@@ -93,9 +86,8 @@ bool traceLayer(vulkan::Device& device, const GpuScene& scene, RenderSettings se
           }
         }
         take(values);
-        done += results.size();
       },
-      [&] { return !proceed(static_cast<double>(done) / static_cast<double>(pixels)); });
+      proceed);
 }
 
 }  // namespace lavaray
