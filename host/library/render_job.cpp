@@ -1,47 +1,15 @@
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "base/errors.hpp"
 #include "film/film_file.hpp"
+#include "library/callbacks.hpp"
 #include "library/guarded.hpp"
 #include "library/identity.hpp"
 #include "library/job_state.hpp"
 #include "render/layer.hpp"
 
 namespace lavaray::v0 {
-namespace {
-
-// Keeps what the user's functions throw from passing through the renderer, and throws it on afterwards as it
-// is.
-class Callbacks {
- public:
-  template <typename Function, typename... Arguments>
-  bool call(const Function& function, Arguments... arguments) {
-    if (thrown_) return false;
-    if (!function) return true;
-    try {
-      if constexpr (std::is_void_v<decltype(function(arguments...))>) {
-        function(arguments...);
-        return true;
-      } else {
-        return function(arguments...);
-      }
-    } catch (...) {
-      thrown_ = std::current_exception();
-      return false;
-    }
-  }
-  void rethrow() const {
-    if (thrown_) std::rethrow_exception(thrown_);
-  }
-
- private:
-  std::exception_ptr thrown_;
-};
-
-}  // namespace
-
 RenderJob::RenderJob(const Device& device, const Scene& scene, const RenderOptions& options)
     : state_(guarded([&] { return std::make_unique<State>(device, scene, options); })) {}
 RenderJob::~RenderJob() = default;

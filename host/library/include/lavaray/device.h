@@ -91,6 +91,35 @@ class LAVARAY_API ShaderCompiler {
   std::unique_ptr<State> state_;
 };
 
+// A compute shader of the user's own, in GLSL, for Renderer::run: it runs for each pixel of a picture, over
+// the scene's arrays and its hierarchy. docs/shaders.md says how to write one. It is compiled in another
+// process, which is started by fork(): best before there are threads, whose locks that process would wait for
+// in vain.
+class LAVARAY_API Shader {
+ public:
+  using Files = std::vector<std::filesystem::path>;
+
+  // Throws Error(kInput), a line `file:line: message` for each fault; the error's file and line are the
+  // first's.
+  explicit Shader(const std::filesystem::path& file);
+  ~Shader();
+  Shader(Shader&&) noexcept;
+  Shader& operator=(Shader&&) noexcept;
+
+  // Compiles it anew if one of files() has changed since. Returns whether it did. If it throws Error(kInput),
+  // the shader stays as it was, and there is nothing to be done until the next change.
+  bool reload();
+
+  const Files& files() const;  // it and its includes, as last read or tried to be read
+  std::vector<std::string> takeWarnings();
+
+  struct State;
+  State& state() const { return *state_; }  // for the library's own use
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
 }  // namespace lavaray::v0
 
 #endif

@@ -72,6 +72,12 @@ class LAVARAY_API Renderer {
   Picture render(const Scene& scene, const RenderOptions& options = {},
                  const OnProgress& progress = {}) const;
 
+  // Runs a shader of the user's own for each pixel of the crop. Returns its values, which need not be in
+  // [0, 1]; 0 where `progress` stopped it. Of the options only width, height, crop, seed and maxDepth may be
+  // given. Throws as render().
+  Image run(const Shader& shader, const Scene& scene, const RenderOptions& options = {},
+            const OnProgress& progress = {}) const;
+
   const Device& device() const { return device_; }
 
  private:
