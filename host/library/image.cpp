@@ -2,6 +2,8 @@
 
 #include <lavaray/image.h>
 
+#include <algorithm>
+
 #include "base/errors.hpp"
 #include "image/exr_common.hpp"
 #include "image/exr_writer.hpp"
@@ -34,6 +36,22 @@ ImageFormat formatOf(const std::filesystem::path& file) {
               file.string() + ": its ending says no image format; allowed are " + v0::kImageFormatNames);
 }
 
+bool isDisplayable(float value) {
+  return value >= 0.0F && value <= 1.0F;
+}
+
+// What 8 bits can say of the image; a NaN is black.
+Image clamped(Image image) {
+  for (float& value : image.rgb) {
+    if (!isDisplayable(value)) value = value > 1.0F ? 1.0F : 0.0F;
+  }
+  return image;
+}
+
+bool hasBytes(ImageFormat format) {
+  return format == ImageFormat::kBmp || format == ImageFormat::kPng || format == ImageFormat::kPpm;
+}
+
 // The file's owner gets the reason from commit().
 void throwIfFailed(v0::OutputFile& file) {
   if (std::ferror(file.stream()) != 0) file.commit();
@@ -60,7 +78,8 @@ void writeImage(const Image& image, const std::filesystem::path& file, const Tex
     const ImageFormat format = formatOf(file);
     checkValues(image);
     OutputFile output({"the image", file});
-    lavaray::writeImage(image, format, output.stream(), texts);
+    const bool isAsShown = !hasBytes(format) || std::ranges::all_of(image.rgb, isDisplayable);
+    lavaray::writeImage(isAsShown ? image : clamped(image), format, output.stream(), texts);
     output.commit();
   });
 }

@@ -1,5 +1,6 @@
 #include <lavaray/image.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -28,6 +29,17 @@ TEST(LibraryImage, WritesWhatItReads) {
   const Image read = readImage(scratch("copy.png"));
   EXPECT_EQ(read.source.format, "PNG");
   EXPECT_EQ(read.source.maxima[0], 255U);
+}
+
+TEST(LibraryImage, EightBitsClampWhatTheyCannotSay) {
+  Image image{2, 1, {-1.0F, 0.25F, 300.0F, std::nanf(""), INFINITY, -INFINITY}};
+  for (const char* ending : {".bmp", ".png", ".ppm"}) {
+    const std::filesystem::path file = scratch("clamped") += ending;
+    writeImage(image, file);
+    EXPECT_EQ(readImage(file).rgb, (std::vector<float>{0, 63.0F / 255.0F, 1, 0, 1, 0})) << ending;
+  }
+  writeImage(image, scratch("kept.pfm"));
+  EXPECT_EQ(readImage(scratch("kept.pfm")).rgb[2], 300.0F);
 }
 
 TEST(LibraryImage, RowByRowIsTheSameFile) {

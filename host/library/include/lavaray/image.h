@@ -26,8 +26,8 @@ LAVARAY_API Image parseImage(std::string_view bytes, const std::filesystem::path
 LAVARAY_API std::optional<ImageFormat> imageFormat(const std::filesystem::path& file);
 
 // Writes the image in the format that the file's extension says, its alpha left out. The file appears whole
-// or not at all. Only PNG and EXR files hold the texts. Throws Error(kOutput), and Error(kUsage) for other
-// extensions.
+// or not at all. Only PNG and EXR files hold the texts. In formats of 8 bits values are clamped to [0, 1],
+// and a NaN is 0. Throws Error(kOutput), and Error(kUsage) for other extensions.
 LAVARAY_API void writeImage(const Image& image, const std::filesystem::path& file,
                             const TextEntries& texts = {});
 
