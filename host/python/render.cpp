@@ -1,4 +1,5 @@
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "python/bindings.hpp"
 
@@ -60,6 +61,16 @@ py::tuple render(const Renderer& renderer, const Scene& scene, const Options& op
   return py::make_tuple(arrayOf(std::move(picture.image)), statistics);
 }
 
+py::array_t<float> run(const Renderer& renderer, const Shader& shader, const Scene& scene,
+                       const Options& options, const py::object& progress) {
+  Image image;
+  {
+    const py::gil_scoped_release release;
+    image = renderer.run(shader, scene, options, [&](double share) { return goesOn(progress, share); });
+  }
+  return arrayOf(std::move(image));
+}
+
 py::list devices() {
   DeviceList list;
   {
@@ -99,7 +110,14 @@ void bindRender(py::module_& module) {
              const py::gil_scoped_release release;
              return renderer.device().info().name;
            })
-      .def("render", &render);
+      .def("render", &render)
+      .def("run", &run);
+  const py::call_guard<py::gil_scoped_release> withoutGil;
+  py::class_<Shader>(module, "Shader")
+      .def(py::init<const std::filesystem::path&>(), withoutGil)
+      .def("reload", &Shader::reload, withoutGil)
+      .def("take_warnings", &Shader::takeWarnings)
+      .def_property_readonly("files", &Shader::files);
   module.def("devices", &devices);
 }
 

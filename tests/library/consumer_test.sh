@@ -65,6 +65,38 @@ for standard in 17 20; do
   holds 'both pictures are the same' "$prefix/bin/lavaray-diff" "run$standard/sphere.png" sphere.png
 done
 
+# The program of docs/shaders.md and its heat map, while that is edited.
+mkdir own && cd own || exit 1
+block() { awk -v fence="\`\`\`$1" '$0 == fence { inside = 1; next } /^```/ { inside = 0 } inside' "$source/docs/shaders.md"; }
+# comes COMMAND...: it succeeds within 20 s.
+comes() {
+  for _ in $(seq 200); do
+    "$@" && return
+    sleep 0.1
+  done
+  false
+}
+block cpp >program.cpp
+block glsl >heat.comp
+holds 'the program of the shaders is in a few lines' test "$(wc -l <program.cpp)" -le 30
+holds 'it configures' cmake -S "$source/tests/library/consumer" -B build -DPROGRAM="$PWD/program.cpp" -DCMAKE_PREFIX_PATH="$prefix"
+holds 'it compiles' cmake --build build
+build/consumer "$source/scenes/torus.txt" heat.comp heat.ppm 2>messages &
+program=$!
+holds 'it writes a heat map' comes test -f heat.ppm
+cp heat.ppm first.ppm
+holds 'the heat map has warm and cold pixels' sh -c "tail -c +16 first.ppm | od -An -v -tu1 -w3 | sort -u | wc -l | grep -qE '^([5-9]|..+)\$'"
+sed 's/heat(float(tests)/nope(float(tests)/' heat.comp >edited && mv edited heat.comp
+holds 'a mistake is reported with its line' comes grep -qE '^heat\.comp:15: .*nope' messages
+holds 'and the program goes on' kill -0 "$program"
+holds 'with the picture that there was' cmp heat.ppm first.ppm
+sed 's/nope(float(tests)/1.0 - heat(float(tests)/' heat.comp >edited && mv edited heat.comp
+holds 'the next change makes another picture' comes sh -c '! cmp -s heat.ppm first.ppm'
+kill "$program"
+wait "$program" 2>/dev/null
+cp first.ppm "$scratch/heat.ppm"
+cd ..
+
 headers=$(cd "$prefix/include" && echo lavaray/*.h)
 holds "at most eight headers: $headers" test "$(wc -w <<<"$headers")" -le 8
 for header in $headers; do

@@ -206,7 +206,48 @@ class Running(unittest.TestCase):
             numpy.testing.assert_array_equal(picture, expected)
 
 
+class Shaders(unittest.TestCase):
+    TEXT = ('#version 460\n#extension GL_GOOGLE_include_directive : require\n#include "pixel.glsl"\n'
+            "void main() {\n  const Pixel pixel = thisPixel();\n  if (pixel.isThere) setPixel(pixel, VALUE);\n}\n")
+
+    def test_run_and_are_taken_up_anew(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "own.comp"
+            file.write_text(self.TEXT.replace("VALUE", "vec3(pixel.position, -1.0)"))
+            shader = lavaray.Shader(file)
+            self.assertIn(file, shader.files)
+            renderer = lavaray.Renderer()
+            scene = lavaray.Scene.parse(BALL)
+            values = renderer.run(shader, scene, width=60, crop=(10, 20, 30, 25))
+            self.assertEqual(values.shape, (5, 20, 3))
+            y, x = numpy.mgrid[20:25, 10:30]
+            numpy.testing.assert_array_equal(values, numpy.stack([x, y, -numpy.ones_like(x)], axis=-1))
+            file.write_text(self.TEXT.replace("VALUE", "nope"))
+            with self.assertRaises(lavaray.Error) as caught:
+                shader.reload()
+            self.assertEqual((caught.exception.kind, caught.exception.file, caught.exception.line), ("input", str(file), 6))
+            numpy.testing.assert_array_equal(renderer.run(shader, scene, width=60)[0, 0], [0, 0, -1])
+            file.write_text(self.TEXT.replace("VALUE", "vec3(constants.seed)"))
+            self.assertTrue(shader.reload())
+            self.assertEqual(renderer.run(shader, scene, width=60, seed=7).min(), 7)
+            self.assertEqual(shader.take_warnings(), [])
+
+
 class Document(unittest.TestCase):
+    def test_program_of_the_shaders_runs(self):
+        text = (SCENES.parent / "docs" / "shaders.md").read_text()
+        (program,) = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
+        (shader,) = re.findall(r"^```glsl\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "scenes").symlink_to(SCENES)
+            (Path(folder) / "heat.comp").write_text(shader)
+            environment = {**os.environ, "PYTHONPATH": str(PACKAGES)}
+            subprocess.run([sys.executable, "-c", program], cwd=folder, env=environment, check=True)
+            picture = lavaray.read_image(Path(folder) / "heat.png")
+        self.assertEqual(picture.shape[1], 300)
+        self.assertEqual(picture.max(), 1)
+        self.assertGreater(len(numpy.unique(picture)), 20)
+
     def test_programs_run(self):
         text = (SCENES.parent / "docs" / "python.md").read_text()
         programs = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)

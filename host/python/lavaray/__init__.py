@@ -10,10 +10,10 @@ says the kind of failure and, where there is one, the file and the line.
 from lavaray._core import version as __version__
 from lavaray._errors import Error
 from lavaray._images import Difference, compare, flip_map, read_image, write_image
-from lavaray._rendering import DeviceInfo, Picture, Renderer, devices, render
+from lavaray._rendering import DeviceInfo, Picture, Renderer, Shader, devices, render
 from lavaray._scene import Camera, Light, Material, Mesh, Plane, Scene, Sphere, Triangle
 
 __all__ = [
     "Camera", "DeviceInfo", "Difference", "Error", "Light", "Material", "Mesh", "Picture", "Plane", "Renderer", "Scene",
-    "Sphere", "Triangle", "__version__", "compare", "devices", "flip_map", "read_image", "render", "write_image",
+    "Shader", "Sphere", "Triangle", "__version__", "compare", "devices", "flip_map", "read_image", "render", "write_image",
 ]  # yapf: disable

@@ -6,6 +6,7 @@ import dataclasses
 import os
 import threading
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any, Union
 
 import numpy
@@ -39,6 +40,32 @@ class Picture:
     camera_rays: int
     mirror_rays: int  # this and the next are counted with count_rays=True
     shadow_rays: int
+
+
+class Shader:
+    """A compute shader of your own, in GLSL, for Renderer.run (docs/shaders.md). Raises Error with file and line.
+
+    It is compiled in another process, which ends with the thread that made the Shader; a later reload starts another.
+    """
+
+    def __init__(self, file: str | os.PathLike[str]) -> None:
+        self._core = _core.Shader(os.fspath(file))
+
+    def reload(self) -> bool:
+        """Compiles it anew if one of its files has changed, and returns whether it did.
+
+        If it raises Error, the shader stays as it was, and there is nothing to be done until the next change.
+        """
+        return self._core.reload()
+
+    def take_warnings(self) -> list[str]:
+        """What the compiler has warned of since the last call, each `file:line: message`."""
+        return self._core.take_warnings()
+
+    @property
+    def files(self) -> list[Path]:
+        """Its file and its includes, as last read or tried to be read."""
+        return list(self._core.files)
 
 
 class Renderer:
@@ -90,6 +117,20 @@ class Renderer:
             scene = Scene.read(scene)
         image, statistics = self._core.render(scene._core, options, progress)
         return Picture(image, **statistics)
+
+    def run(self, shader: Shader, scene: AnyScene, *, width: int = 0, height: int = 0, crop: Sequence[int] | None = None,
+            seed: int = 0, max_depth: int = 8, progress: Progress | None = None) -> Image:
+        """Runs a Shader for each pixel and returns its values, (height, width, 3) float32.
+
+        width, height, crop, progress: as for render. seed and max_depth are the shader's constants.seed and
+        constants.maxDepth (0 where the scene has no mirrors). Where progress stops it, the rest is 0.
+        """
+        options = _core.Options()
+        options.width, options.height, options.seed, options.max_depth = width, height, seed, max_depth
+        options.set_crop(None if crop is None else list(crop))
+        if not isinstance(scene, Scene):
+            scene = Scene.read(scene)
+        return self._core.run(shader._core, scene._core, options, progress)
 
 
 _renderers: dict[str, Renderer] = {}
