@@ -41,28 +41,19 @@ function(lavaray_check_includes folder rooms)
   endforeach()
 endfunction()
 
-# lavaray_library(FILES file... LINKS room...): liblavaray, of the files in host/library. Of all that is linked into it,
-# only what its own files mark LAVARAY_API can be seen. Programs link it as lavaray::lavaray.
-function(lavaray_library)
-  cmake_parse_arguments(library "" "" "FILES;LINKS" ${ARGN})
-  list(TRANSFORM library_FILES PREPEND ${PROJECT_SOURCE_DIR}/host/library/)
-  add_library(lavaray_library SHARED ${library_FILES})
-  add_library(lavaray::lavaray ALIAS lavaray_library)
-  set_target_properties(lavaray_library PROPERTIES OUTPUT_NAME lavaray EXPORT_NAME lavaray VERSION ${PROJECT_VERSION}
-                                                   SOVERSION ${PROJECT_VERSION_MAJOR})
-  target_include_directories(lavaray_library PRIVATE ${CMAKE_CURRENT_BINARY_DIR}
-    INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/host/library/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_compile_features(lavaray_library INTERFACE cxx_std_17)
-  target_link_options(lavaray_library PRIVATE LINKER:--exclude-libs,ALL LINKER:--no-undefined)
-  set(reachable library)
-  foreach(link ${library_LINKS})
-    target_link_libraries(lavaray_library PRIVATE lavaray_${link})
-    get_property(below TARGET lavaray_${link} PROPERTY LAVARAY_REACHABLE_ROOMS)
-    list(APPEND reachable ${below})
-  endforeach()
-  set_property(TARGET lavaray_library PROPERTY LAVARAY_REACHABLE_ROOMS library)
-  set_property(DIRECTORY ${PROJECT_SOURCE_DIR}/host APPEND PROPERTY LAVARAY_ROOMS lavaray_library)
-  lavaray_check_includes(library "${reachable}")
+# lavaray_shared_library(): liblavaray, of the room `library`. Of all that is linked into it, only what that room marks
+# LAVARAY_API can be seen. Programs link it as lavaray::lavaray.
+function(lavaray_shared_library)
+  add_library(liblavaray SHARED $<TARGET_OBJECTS:lavaray_library>)
+  add_library(lavaray::lavaray ALIAS liblavaray)
+  set_target_properties(liblavaray PROPERTIES OUTPUT_NAME lavaray EXPORT_NAME lavaray VERSION ${PROJECT_VERSION}
+                                              SOVERSION ${PROJECT_VERSION_MAJOR})
+  target_include_directories(liblavaray INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/host/library/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(liblavaray INTERFACE cxx_std_17)
+  target_link_options(liblavaray PRIVATE LINKER:--exclude-libs,ALL LINKER:--no-undefined)
+  target_link_libraries(liblavaray PRIVATE lavaray_library)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR}/host APPEND PROPERTY LAVARAY_ROOMS liblavaray)
 endfunction()
 
 # lavaray_program(NAME FOLDER FILES file... LINKS room...): a program of the files in host/FOLDER.
@@ -78,6 +69,22 @@ function(lavaray_program name folder)
   endforeach()
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR}/host APPEND PROPERTY LAVARAY_ROOMS ${name})
   lavaray_check_includes(${folder} "${reachable}")
+  install(TARGETS ${name})
+endfunction()
+
+# lavaray_client(NAME FOLDER FILES file...): a program of the files in host/FOLDER that is a client of liblavaray: it
+# has its public headers and what the programs' command lines share, and nothing else of the project.
+function(lavaray_client name folder)
+  cmake_parse_arguments(client "" "" "FILES" ${ARGN})
+  list(TRANSFORM client_FILES PREPEND ${PROJECT_SOURCE_DIR}/host/${folder}/)
+  add_executable(${name} ${client_FILES})
+  target_link_libraries(${name} PRIVATE lavaray_command_line liblavaray)
+  # A signal handler calls the library, which must be linked by then.
+  target_link_options(${name} PRIVATE LINKER:-z,now)
+  file(RELATIVE_PATH library /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/${library}")
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR}/host APPEND PROPERTY LAVARAY_ROOMS ${name})
+  lavaray_check_includes(${folder} "${folder};command_line")
   install(TARGETS ${name})
 endfunction()
 

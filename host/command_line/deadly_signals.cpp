@@ -1,10 +1,9 @@
 #include "command_line/deadly_signals.hpp"
 
+#include <lavaray/files.h>
 #include <array>
 #include <csignal>
 #include <cstdlib>
-
-#include "base/temporary_file.hpp"
 
 namespace lavaray {
 namespace {

@@ -1,13 +1,11 @@
 #include "command_line/file_size_limit.hpp"
 
+#include <lavaray/files.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
-
-#include "base/errors.hpp"
-#include "base/temporary_file.hpp"
 
 namespace lavaray {
 namespace {
@@ -30,7 +28,7 @@ void onBusError(int signal, siginfo_t* info, void* /*context*/) {
     return;
   }
   (void)!write(STDERR_FILENO, message.data(), message.size());
-  _exit(static_cast<int>(ExitCode::kMemory));
+  _exit(static_cast<int>(ErrorKind::kMemory));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "command_line/interrupt.hpp"
 
+#include <lavaray/files.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -8,8 +9,6 @@
 #include <cstdint>
 #include <cstring>
 #include <ctime>
-
-#include "base/temporary_file.hpp"
 
 namespace lavaray {
 namespace {
@@ -85,15 +84,9 @@ bool wasInterrupted() {
   return firstSignal != 0;
 }
 
-ExitCode interruptCode() {
-  switch (firstSignal) {
-    case SIGHUP:
-      return ExitCode::kHungUp;
-    case SIGTERM:
-      return ExitCode::kEnded;
-    default:
-      return ExitCode::kInterrupted;
-  }
+int interruptCode() {
+  const int signal = firstSignal;
+  return 128 + (signal != 0 ? signal : SIGINT);
 }
 
 }  // namespace lavaray

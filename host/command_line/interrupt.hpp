@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "base/errors.hpp"
-
 namespace lavaray {
 
 // From here on SIGHUP, SIGINT and SIGTERM end the process at once with exit code 128 + the signal's number, a
@@ -26,7 +24,7 @@ class InterruptGuard {
 };
 
 bool wasInterrupted();
-// That of the first signal; kInterrupted if there was none.
-ExitCode interruptCode();
+// The exit code of the first signal, 128 and its number; that of Ctrl-C if there was none.
+int interruptCode();
 
 }  // namespace lavaray

@@ -1,6 +1,7 @@
 #include "command_line/program.hpp"
 
 #include <fcntl.h>
+#include <lavaray/files.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,8 +13,6 @@
 #include <new>
 #include <system_error>
 
-#include "base/file_claims.hpp"
-#include "base/temporary_file.hpp"
 #include "command_line/deadly_signals.hpp"
 #include "command_line/file_size_limit.hpp"
 #include "command_line/interrupt.hpp"
@@ -32,7 +31,7 @@ std::string programName;
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
     std::fputs((programName + ": " + kNoMemory + '\n').c_str(), stderr);
-    std::_Exit(static_cast<int>(ExitCode::kMemory));
+    std::_Exit(static_cast<int>(ErrorKind::kMemory));
   } catch (...) {
   }
   std::abort();
@@ -49,38 +48,43 @@ void occupyStandardStreams() {
 }
 
 // A stream remembers that a write has failed, but not why; another write tells.
-ExitCode checkPrinted(ExitCode code) {
+int checkPrinted(int code) {
   if (std::cout.flush() && std::fflush(stdout) == 0) return code;
   errno = 0;
   std::putchar('\n');
   std::fflush(stdout);
   const int reason = errno;
-  throw Error(ExitCode::kOutput, std::string("the output cannot be written to stdout: ") +
-                                     (reason != 0 ? std::strerror(reason) : "a write failed"));
+  throw Error(ErrorKind::kOutput, std::string("the output cannot be written to stdout: ") +
+                                      (reason != 0 ? std::strerror(reason) : "a write failed"));
 }
 
-}  // namespace
+struct Failure {
+  ErrorKind kind;
+  std::string message;
+};
 
+// What the exception being handled says.
 Failure currentFailure() {
   try {
     throw;
   } catch (const Error& error) {
-    return {error.exitCode(), error.what()};
+    return {error.kind(), error.what()};
   } catch (const std::bad_alloc&) {
-    return {ExitCode::kMemory, kNoMemory};
+    return {ErrorKind::kMemory, kNoMemory};
   } catch (const std::system_error& error) {
     // If a thread cannot start, the system says no more than to try again.
     const bool isMemory = error.code() == std::errc::not_enough_memory ||
                           error.code() == std::errc::resource_unavailable_try_again;
-    if (isMemory) return {ExitCode::kMemory, kNoMemory};
-    return {ExitCode::kInternalError, "the system refuses what is needed: " + error.code().message()};
+    if (isMemory) return {ErrorKind::kMemory, kNoMemory};
+    return {ErrorKind::kInternal, "the system refuses what is needed: " + error.code().message()};
   } catch (const std::exception& error) {
-    return {ExitCode::kInternalError,
-            std::string("internal error, a defect of the program: ") + error.what()};
+    return {ErrorKind::kInternal, std::string("internal error, a defect of the program: ") + error.what()};
   }
 }
 
-int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
+}  // namespace
+
+int runProgram(const std::string& name, const std::function<int()>& body) {
   programName = name;
   occupyStandardStreams();
   protectInputs();
@@ -89,11 +93,11 @@ int runProgram(const std::string& name, const std::function<ExitCode()>& body) {
   catchInterrupts(name);
   surviveFileSizeLimit(name);
   try {
-    return static_cast<int>(checkPrinted(body()));
+    return checkPrinted(body());
   } catch (const std::exception&) {
     const Failure failure = currentFailure();
     std::cerr << name << ": " << failure.message << '\n';
-    return static_cast<int>(failure.exitCode);
+    return static_cast<int>(failure.kind);
   }
 }
 

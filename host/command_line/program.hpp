@@ -3,19 +3,10 @@
 #include <functional>
 #include <string>
 
-#include "base/errors.hpp"
-
 namespace lavaray {
 
-struct Failure {
-  ExitCode exitCode;
-  std::string message;
-};
-
-// What the exception being handled says.
-Failure currentFailure();
-
-// Runs a program's body and returns its exit code. An exception is printed as `name: message`.
-int runProgram(const std::string& name, const std::function<ExitCode()>& body);
+// Runs a program's body and returns its exit code, which an error's kind is. An exception is printed as
+// `name: message`.
+int runProgram(const std::string& name, const std::function<int()>& body);
 
 }  // namespace lavaray

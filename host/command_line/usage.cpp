@@ -1,5 +1,7 @@
 #include "command_line/usage.hpp"
 
+#include <lavaray/scene.h>
+#include <array>
 #include <charconv>
 #include <iostream>
 #include <limits>
@@ -8,11 +10,8 @@
 #include <system_error>
 #include <vector>
 
-#include "base/errors.hpp"
-#include "base/limits.hpp"
-#include "base/number_text.hpp"
-#include "base/text_location.hpp"
 #include "command_line/help.hpp"
+#include "command_line/shown.hpp"
 
 namespace lavaray {
 namespace {
@@ -26,12 +25,23 @@ std::optional<Number> parse(std::string_view text) {
   return number;
 }
 
+// The shortest text that reads back as the same number.
+std::string numberText(double number) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+
+std::string quoted(const std::string& text) {
+  constexpr std::size_t kMaxLength = 60;
+  return '"' + shown(text.substr(0, kMaxLength)) + (text.size() > kMaxLength ? "...\"" : "\"");
+}
+
 template <typename Number>
 CLI::Validator within(Number min, Number max, const std::string& kind, const std::string& bounds) {
   return {[=](const std::string& text) {
             const std::optional<Number> number = parse<Number>(text);
             if (number && *number >= min && *number <= max) return std::string();
-            return lavaray::quoted(text) + " is not " + kind + " " + bounds;
+            return quoted(text) + " is not " + kind + " " + bounds;
           },
           bounds};
 }
@@ -54,7 +64,7 @@ std::string explained(const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr && contains(": ")) {
     return text.substr(text.find(": ") + 2) + " cannot be understood";
   }
-  return printable(text);
+  return shown(text);
 }
 
 }  // namespace
@@ -103,7 +113,7 @@ bool parseCommandLine(CLI::App& app, int argc, const char* const* argv) {
     app.exit(success, std::cout, std::cerr);
     return false;
   } catch (const CLI::ParseError& error) {
-    throw Error(ExitCode::kUsage, explained(error) + "; " + app.get_name() + " --help lists the options");
+    throw Error(ErrorKind::kUsage, explained(error) + "; " + app.get_name() + " --help lists the options");
   }
 }
 
@@ -118,15 +128,6 @@ void addCropOption(CLI::App& app, std::optional<Rectangle>& crop, const std::str
       ->delimiter(',')
       ->expected(4)
       ->check(integerFrom(0, kMaxImageSide));
-}
-
-Rectangle cropWithin(const std::optional<Rectangle>& crop, const ImageSize& size) {
-  const Rectangle part = crop.value_or(Rectangle{0, 0, size.width, size.height});
-  const bool inside = part.x0 >= 0 && part.x0 < part.x1 && part.x1 <= size.width &&  //
-                      part.y0 >= 0 && part.y0 < part.y1 && part.y1 <= size.height;
-  if (inside) return part;
-  throw Error(ExitCode::kUsage, "--crop X0,Y0,X1,Y1 must have 0 <= X0 < X1 <= " + std::to_string(size.width) +
-                                    " and 0 <= Y0 < Y1 <= " + std::to_string(size.height));
 }
 
 }  // namespace lavaray

@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <lavaray/types.h>
 #include <CLI/CLI.hpp>
-
-#include "base/rectangle.hpp"
 
 namespace lavaray {
 
@@ -27,8 +26,6 @@ CLI::Validator fileNameNotStdout();
 bool parseCommandLine(CLI::App& app, int argc, const char* const* argv);
 
 // The option --crop; `description` is its help.
-void addCropOption(CLI::App& app, std::optional<Rectangle>& crop, const std::string& description);
-// The crop, or without one all of an image of `size`. Throws Error(kUsage) if it is not inside that.
-Rectangle cropWithin(const std::optional<Rectangle>& crop, const ImageSize& size);
+void addCropOption(CLI::App& app, std::optional<v0::Rectangle>& crop, const std::string& description);
 
 }  // namespace lavaray

@@ -15,6 +15,7 @@
 #include "diff/text_report.hpp"
 #include "image/image_reader.hpp"
 #include "image/image_writer.hpp"
+#include "library/guarded.hpp"
 #include "report/page.hpp"
 #include "report/pair_json.hpp"
 
@@ -157,8 +158,10 @@ ExitCode info(const std::string& file) {
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray-diff", [&] {
-    const auto options = lavaray::parseDiffOptions(argc, argv);
-    if (!options) return lavaray::ExitCode::kSuccess;
-    return options->info ? lavaray::info(options->image) : lavaray::diff(*options);
+    return lavaray::guarded([&] {
+      const auto options = lavaray::parseDiffOptions(argc, argv);
+      if (!options) return 0;
+      return static_cast<int>(options->info ? lavaray::info(options->image) : lavaray::diff(*options));
+    });
   });
 }

@@ -7,6 +7,7 @@
 #include "lavaray/scene_files.hpp"
 #include "lavaray/text_report.hpp"
 #include "lavaray/watch_scene.hpp"
+#include "library/guarded.hpp"
 #include "vulkan/driver_survey.hpp"
 
 namespace lavaray {
@@ -40,7 +41,9 @@ ExitCode run(const std::vector<Options>& scenes) {
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray", [&] {
-    const auto scenes = lavaray::parseOptions(argc, argv);
-    return scenes.empty() ? lavaray::ExitCode::kSuccess : lavaray::run(scenes);
+    return lavaray::guarded([&] {
+      const auto scenes = lavaray::parseOptions(argc, argv);
+      return scenes.empty() ? 0 : static_cast<int>(lavaray::run(scenes));
+    });
   });
 }

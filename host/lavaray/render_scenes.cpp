@@ -60,7 +60,7 @@ ExitCode renderScenes(const std::vector<Options>& scenes) {
   };
   const ExitCode code = forEachScene(scenes, render, [] { return !wasInterrupted(); });
   if (begun == count) return code;
-  throw Error(interruptCode(), interruptedText(count - begun));
+  throw Error(static_cast<ExitCode>(interruptCode()), interruptedText(count - begun));
 }
 
 }  // namespace lavaray

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "command_line/interrupt.hpp"
-#include "command_line/program.hpp"
 #include "lavaray/standard_input.hpp"
+#include "library/guarded.hpp"
 
 namespace lavaray {
 namespace {
@@ -24,13 +24,13 @@ ExitCode forEachScene(const std::vector<Options>& scenes,
   for (std::size_t i = 0; i < scenes.size() && canGoOn(); ++i) {
     ExitCode code = ExitCode::kSuccess;
     try {
-      code = work(i);
-    } catch (const std::exception&) {
-      const Failure failure = currentFailure();
-      std::cerr << "lavaray: " << named(shownName(scenes[i].scene), failure.message) << '\n';
-      code = failure.exitCode;
+      code = guarded([&] { return work(i); });
+    } catch (const v0::Error& error) {
+      std::cerr << "lavaray: " << named(shownName(scenes[i].scene), error.what()) << '\n';
+      code = static_cast<ExitCode>(error.kind());
     }
-    if (first == ExitCode::kSuccess || (wasInterrupted() && code == interruptCode())) first = code;
+    if (first == ExitCode::kSuccess || (wasInterrupted() && static_cast<int>(code) == interruptCode()))
+      first = code;
   }
   return first;
 }

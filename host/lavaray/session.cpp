@@ -5,12 +5,12 @@
 
 #include "base/available_memory.hpp"
 #include "command_line/interrupt.hpp"
-#include "command_line/usage.hpp"
 #include "lavaray/identity.hpp"
 #include "lavaray/json_report.hpp"
 #include "lavaray/origin.hpp"
 #include "lavaray/run_report.hpp"
 #include "lavaray/text_report.hpp"
+#include "library/crop.hpp"
 #include "render/preparation.hpp"
 
 namespace lavaray {
@@ -131,7 +131,8 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 
 Session::Plan Session::makePlan() const {
   const ImageSize size = outputSize(options_, imageSize(inputs_.scene().camera).value());
-  const Rectangle part = cropWithin(options_.crop, size);
+  const Rectangle part = options_.crop.value_or(Rectangle{0, 0, size.width, size.height});
+  checkWithin(part, size);
   RenderSettings settings = renderSettings(options_, size, part);
   settings.shader = inputs_.shader();
   return {settings, part};
@@ -182,7 +183,7 @@ bool Session::traceLayers(Layers& layers, const Plan& plan, const IsOutdated& is
   progress_.end();
   times_.endStep("trace layers");
   if (isWhole || isOutOfDate) return isWhole;
-  throw Error(interruptCode(), "interrupted before the picture was begun");
+  throw Error(static_cast<ExitCode>(interruptCode()), "interrupted before the picture was begun");
 }
 
 bool Session::run(Render& render, Checkpoint& checkpoint, Outputs& outputs, const IsOutdated& isOutdated) {
@@ -200,7 +201,7 @@ bool Session::run(Render& render, Checkpoint& checkpoint, Outputs& outputs, cons
   times_.endStep("render", outputs.timeOfRows());
   if (isOutOfDate) return false;
   if (render.samplesPerPixel() == 0.0 && isInterrupted(render))
-    throw Error(interruptCode(), "interrupted before anything was rendered");
+    throw Error(static_cast<ExitCode>(interruptCode()), "interrupted before anything was rendered");
   return true;
 }
 
@@ -235,7 +236,7 @@ void Session::tellOutcome(const std::optional<std::string>& interruption,
                           const Checkpoint& checkpoint) const {
   if (interruption) {
     const std::string name = options_.output == "-" ? "stdout" : options_.output;
-    throw Error(interruptCode(),
+    throw Error(static_cast<ExitCode>(interruptCode()),
                 *interruption + name + " holds what was rendered, pixels without a sample are black");
   }
   if (options_.verbose) std::cerr << "wrote " << options_.output << '\n';

@@ -1,3 +1,4 @@
+#include <lavaray/image.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -7,15 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/file_claims.hpp"
-#include "base/limits.hpp"
-#include "base/output_file.hpp"
 #include "command_line/program.hpp"
 #include "command_line/progress.hpp"
 #include "command_line/usage.hpp"
 #include "command_line/version.hpp"
-#include "film/merge.hpp"
-#include "image/row_writer.hpp"
 
 namespace lavaray {
 namespace {
@@ -52,14 +48,14 @@ std::optional<MergeOptions> parseMergeOptions(int argc, const char* const* argv)
   app.add_flag("-q,--quiet", options.quiet, "Print nothing but warnings and errors");
   if (!parseCommandLine(app, argc, argv)) return std::nullopt;
   if (!options.check && options.output.empty()) {
-    throw Error(ExitCode::kUsage, "--output is missing; lavaray-merge --help lists the options");
+    throw Error(ErrorKind::kUsage, "--output is missing; lavaray-merge --help lists the options");
   }
   if (!options.check && !imageFormat(options.output)) {
-    throw Error(ExitCode::kUsage, "--output " + options.output +
-                                      ": its ending says no image format; allowed are " + kImageFormatNames);
+    throw Error(ErrorKind::kUsage, "--output " + options.output +
+                                       ": its ending says no image format; allowed are " + kImageFormatNames);
   }
   if (options.half && imageFormat(options.output) != ImageFormat::kExr) {
-    throw Error(ExitCode::kUsage, "--half is for EXR; give --output the ending .exr");
+    throw Error(ErrorKind::kUsage, "--half is for EXR; give --output the ending .exr");
   }
   return options;
 }
@@ -72,38 +68,38 @@ void allowManyFiles() {
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-float largestValue(Merge& merge, const Rectangle& area, std::vector<float>& row) {
+float largestValue(FilmMerge& merge, const Rectangle& area, std::vector<float>& row) {
   float largest = 0.0F;
   for (int y = area.y0; y < area.y1; ++y) {
-    merge.readRow(y, area.x0, row);
+    merge.readRow(y, area.x0, area.width(), row.data());
     largest = std::max(largest, *std::max_element(row.begin(), row.end()));
   }
   return largest;
 }
 
 // Prints a line for each part: its name, and `complete` or what is wrong with it.
-ExitCode checkParts(const MergeOptions& options) {
-  ExitCode code = ExitCode::kSuccess;
+int checkParts(const MergeOptions& options) {
+  int code = 0;
   for (const std::filesystem::path& part : options.parts) {
     try {
-      const bool isComplete = FilmReader(part).header().isComplete;
+      const bool isComplete = readFilmInfo(part).isComplete;
       std::cout << part.string() << (isComplete ? ": complete\n" : ": is not complete\n");
-      if (!isComplete) code = ExitCode::kInput;
+      if (!isComplete) code = static_cast<int>(ErrorKind::kInput);
     } catch (const Error& error) {
       std::cout << error.what() << '\n';
-      code = ExitCode::kInput;
+      code = static_cast<int>(ErrorKind::kInput);
     }
   }
   return code;
 }
 
-ExitCode mergeParts(const MergeOptions& options) {
+int mergeParts(const MergeOptions& options) {
   allowManyFiles();
   for (const std::filesystem::path& part : options.parts) noteRead(part, "the film");
   OutputFile output({"--output", options.output});
   Progress progress(progressStyle(options.quiet));
   progress.begin("verifying the parts");
-  Merge merge(options.parts);
+  FilmMerge merge(options.parts);
   const Rectangle area = cropWithin(options.crop, merge.size());
   merge.checkCoverage(area);
   progress.end();
@@ -116,21 +112,21 @@ ExitCode mergeParts(const MergeOptions& options) {
   const TextEntries texts = {{"Software", std::string("lavaray-merge ") + kVersion},
                              {"Size", std::to_string(width) + " x " + std::to_string(height)},
                              {"Parts", std::to_string(options.parts.size())},
-                             {"Device", merge.first().device}};
+                             {"Device", merge.device()}};
   const ImageFormat format = options.half ? ImageFormat::kExrHalf : imageFormat(options.output).value();
-  RowWriter writer(format, width, height, output.stream(), texts);
+  ImageWriter writer(output, format, {width, height}, texts);
   progress.begin("merging");
   for (int y = 0; y < height; ++y) {
-    merge.readRow(area.y0 + y, area.x0, row);
+    merge.readRow(area.y0 + y, area.x0, width, row.data());
     if (options.normalize && largest > 0.0F) {
       for (float& value : row) value /= largest;
     }
-    writer.write(row);
+    writer.write(row.data());
     progress.update(static_cast<double>(y + 1) / height, "");
   }
   writer.finish();
   output.commit();
-  return ExitCode::kSuccess;
+  return 0;
 }
 
 }  // namespace
@@ -139,7 +135,7 @@ ExitCode mergeParts(const MergeOptions& options) {
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray-merge", [&] {
     const auto options = lavaray::parseMergeOptions(argc, argv);
-    if (!options) return lavaray::ExitCode::kSuccess;
+    if (!options) return 0;
     return options->check ? lavaray::checkParts(*options) : lavaray::mergeParts(*options);
   });
 }

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "experiment.hpp"
+#include "library/guarded.hpp"
 #include "options.hpp"
 #include "peer.hpp"
 #include "report.hpp"
@@ -54,7 +55,9 @@ ExitCode run(const Options& options) {
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("bench-speed", [&] {
-    const auto options = lavaray::bench::parseOptions(argc, argv);
-    return options ? lavaray::bench::run(*options) : lavaray::ExitCode::kSuccess;
+    return lavaray::guarded([&] {
+      const auto options = lavaray::bench::parseOptions(argc, argv);
+      return options ? static_cast<int>(lavaray::bench::run(*options)) : 0;
+    });
   });
 }

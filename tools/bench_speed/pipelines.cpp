@@ -12,6 +12,7 @@
 #include "base/errors.hpp"
 #include "bvh/flatten.hpp"
 #include "command_line/program.hpp"
+#include "library/guarded.hpp"
 #include "measure.hpp"
 #include "render/tracer.hpp"
 #include "scene/camera.hpp"
@@ -107,6 +108,8 @@ ExitCode run(std::span<const char* const> arguments) {
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("bench-pipelines", [&] {
-    return lavaray::bench::run({argv, static_cast<std::size_t>(argc)});
+    return lavaray::guarded([&] {
+      return static_cast<int>(lavaray::bench::run({argv, static_cast<std::size_t>(argc)}));
+    });
   });
 }
