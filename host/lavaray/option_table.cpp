@@ -83,8 +83,11 @@ void addSamplerOption(CLI::App& app, Options& options) {
 
 void addSamplingOptions(CLI::App& app, Options& options) {
   CLI::Option* spp =
-      app.add_option("--spp", options.render.samples, "Samples per pixel; 1 is the pixel's centre")
+      app.add_option("--spp", options.render.samples,
+                     "Samples per pixel; 1 is the pixel's centre. Where a light has a radius, the default is "
+                     "--target-error 0.01 for the views of colours")
           ->type_name("N")
+          ->each([&options](const std::string& /*text*/) { options.statesSamples = true; })
           ->check(integerFrom(1, kMaxSamplesPerPixel))
           ->capture_default_str();
   addFilterOption(app, options);

@@ -53,6 +53,16 @@ bool writesFilm(const Options& options) {
   return std::filesystem::path(options.output).extension() == ".film";
 }
 
+std::optional<double> defaultTargetError(const Options& options, const Scene& scene) {
+  constexpr double kTargetError = 0.01;
+  const RenderSettings& render = options.render;
+  const bool isStated = options.statesSamples || render.targetError;
+  const bool hasSphere =
+      std::ranges::any_of(scene.lights, [](const Light& light) { return light.radius > 0.0; });
+  if (isStated || !hasSphere || tracedView(render.view) != gpu::kViewColor) return std::nullopt;
+  return kTargetError;
+}
+
 void applyDefaults(const Options& options, Scene& scene) {
   for (Material& material : scene.materials) {
     if (!material.statesReflectance) material.reflectance = options.reflect * material.specular;

@@ -31,6 +31,7 @@ struct Options {
   std::optional<Rectangle> crop;
   bool normalize = false;
   RenderSettings render;  // but for what depends on the scene: size, crop, shader, what is kept and counted
+  bool statesSamples = false;  // whether --spp is given
   bool half = false;
   std::vector<Layer> layers;
   double reflect = 0.0;
@@ -72,6 +73,10 @@ bool writesFilm(const Options& options);
 std::vector<OutputName> outputNames(const Options& options);
 // The one of them that may replace the film that is resumed from.
 OutputName checkpointName(const Options& options);
+
+// The target error of a picture that neither --spp nor --target-error says anything about, where one sample
+// per pixel would be noise: that of spherical lights, by colour.
+std::optional<double> defaultTargetError(const Options& options, const Scene& scene);
 
 // Gives the options' reflectance and radius to materials and lights that state none.
 void applyDefaults(const Options& options, Scene& scene);

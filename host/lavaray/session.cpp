@@ -9,6 +9,7 @@
 #include "lavaray/json_report.hpp"
 #include "lavaray/origin.hpp"
 #include "lavaray/run_report.hpp"
+#include "lavaray/standard_input.hpp"
 #include "lavaray/text_report.hpp"
 #include "library/crop.hpp"
 #include "render/preparation.hpp"
@@ -26,18 +27,19 @@ bool keepsFilm(const Options& options) {
 }
 
 // At one sample per pixel, rows go to the file while others are traced, unless something needs all of them.
-bool keepsPicture(const Options& options) {
-  const bool isOneSample = options.render.samples == 1 && !options.render.targetError;
-  return !isOneSample || needsWhole(options) || options.render.view == View::kSamples || options.display ||
-         keepsFilm(options);
+bool keepsPicture(const Options& options, const RenderSettings& settings) {
+  return !takesCenters(settings) || needsWhole(options) || options.render.view == View::kSamples ||
+         options.display || keepsFilm(options);
 }
 
 // The settings asked for, completed by what depends on the scene.
-RenderSettings renderSettings(const Options& options, const ImageSize& size, const Rectangle& part) {
+RenderSettings renderSettings(const Options& options, const Scene& scene, const ImageSize& size,
+                              const Rectangle& part) {
   RenderSettings settings = options.render;
+  if (!settings.targetError) settings.targetError = defaultTargetError(options, scene);
   settings.size = size;
   settings.crop = needsWhole(options) ? Rectangle{0, 0, size.width, size.height} : part;
-  settings.keepsPicture = keepsPicture(options);
+  settings.keepsPicture = keepsPicture(options, settings);
   settings.countRays = options.stats || !options.json.empty();
   settings.recordTimes = settings.countRays;
   return settings;
@@ -54,13 +56,12 @@ void checkMemory(const RenderSettings& settings, bool canBeCropped) {
   const AvailableMemory room = availableMemory();
   if (needed <= room.bytes) return;
   const Rectangle& part = settings.crop;
-  const bool isOneSample = settings.samples == 1 && !settings.targetError;
   throw Error(ExitCode::kMemory, "there is not enough memory: a picture of " + std::to_string(part.width()) +
                                      " x " + std::to_string(part.height()) + " pixels needs " +
                                      inGigabytes(needed) + ", and " + room.limit + ' ' +
                                      inGigabytes(room.bytes) + "; a smaller --width or --height needs less" +
                                      (canBeCropped ? ", or parts by --crop" : "") +
-                                     (isOneSample ? "" : ", or one sample per pixel"));
+                                     (takesCenters(settings) ? "" : ", or one sample per pixel"));
 }
 
 bool isInterrupted(const Render& render) {
@@ -94,6 +95,7 @@ void Session::printWarnings() {
 
 ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   Plan plan = makePlan();
+  if (plan.settings.targetError != options_.render.targetError) tellDefaultError(*plan.settings.targetError);
   Files files(options_);
   files.outputs.checkSize(plan.part.width(), plan.part.height());
   const std::unique_ptr<Preparation> preparation = beginPreparation(plan.settings);
@@ -129,11 +131,18 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
   return open.validationMessages == 0 ? ExitCode::kSuccess : ExitCode::kInternalError;
 }
 
+void Session::tellDefaultError(double error) {
+  if (options_.quiet) return;
+  progress_.end();
+  std::cerr << shownName(options_.scene) << ": a light is a sphere, so this is --target-error " << error
+            << "; --spp 1 is one sample per pixel\n";
+}
+
 Session::Plan Session::makePlan() const {
   const ImageSize size = outputSize(options_, imageSize(inputs_.scene().camera).value());
   const Rectangle part = options_.crop.value_or(Rectangle{0, 0, size.width, size.height});
   checkWithin(part, size);
-  RenderSettings settings = renderSettings(options_, size, part);
+  RenderSettings settings = renderSettings(options_, inputs_.scene(), size, part);
   settings.shader = inputs_.shader();
   return {settings, part};
 }

@@ -56,6 +56,7 @@ class Session {
 
   // The steps of renderAndWrite. Those that return a bool return false if the picture is out of date.
   [[nodiscard]] Plan makePlan() const;
+  void tellDefaultError(double error);
   std::unique_ptr<Preparation> beginPreparation(RenderSettings& settings);
   void buildHierarchy();
   OpenDevice& openDevice();

@@ -224,6 +224,21 @@ expect 10 '' "$diff" mirrored.pfm unmirrored.pfm
 expect 0 '' "$lavaray" "$scene" $small --spp 16 --light-radius 1 -o soft.pfm
 expect 10 '' "$diff" soft.pfm four.pfm
 
+# A spherical light where nothing is said about samples: to a target error, for the views of colours, and one line says so.
+line='stdin: a light is a sphere, so this is --target-error 0.01; --spp 1 is one sample per pixel'
+expect 0 '' "$lavaray" - $small --light-radius 1 -o soft-default.pfm <"$scene"
+holds 'the line says so' test "$(cat stderr)" = "$line"
+expect 0 '' "$lavaray" "$scene" $small --light-radius 1 --target-error 0.01 -o soft.pfm
+holds 'no line where it is asked for' test ! -s stderr
+holds 'the picture is the one that the line names' cmp soft.pfm soft-default.pfm
+expect 0 '' "$lavaray" "$scene" $small --light-radius 1 -q -o soft-default.pfm
+holds 'no line for --quiet' test ! -s stderr
+holds 'the same picture' cmp soft.pfm soft-default.pfm
+for options in '--light-radius 1 --spp 1' '--light-radius 1 --view normal' '--light-radius 1 --view shadow' '--light-radius 0'; do
+  expect 0 'camera  *3072 \(1.00 a pixel' "$lavaray" "$scene" --width 64 --height 48 $options --stats -o one.pfm
+  holds "$options: no line" sh -c '! grep -q "is a sphere" stderr'
+done
+
 # The same bits with any number of threads and any vector width of a driver that runs on the CPU; without its
 # cache, so that each width compiles the shader.
 soft=$scenes/extensions.txt

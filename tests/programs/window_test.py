@@ -73,7 +73,7 @@ def main():
     with Screen():
         # A finished picture stays until a key, the value under the mouse is in the title, and the wheel zooms.
         for key in ('q', 'Escape'):
-            render = start(programs, scenes, work, '--width', '300')
+            render = start(programs, scenes, work, '--width', '300', '--spp', '1')
             window = window_of(render)
             until(lambda: title(window).startswith('extensions.txt: 1 spp'), 'the final title', SECONDS)
             xdotool('mousemove', '--window', window, 100, 50)
@@ -108,7 +108,7 @@ def main():
         # --watch: an edit shows in the window.
         scene = work / 'extensions.txt'
         shutil.copy(scenes / 'extensions.txt', scene)
-        render = start(programs, work, work, '--width', '200', '--watch')
+        render = start(programs, work, work, '--width', '200', '--spp', '1', '--watch')
         window = window_of(render)
         until(lambda: 'extensions.txt: 1 spp' in title(window), 'the final title', SECONDS)
         before = picture.read_bytes()
