@@ -21,7 +21,6 @@ enum class ExitCode : int {
   kDevice = 4,
   kOutput = 5,
   kMemory = 6,
-  kImagesDiffer = 10,
   kHungUp = 129,
   kInterrupted = 130,
   kEnded = 143,

@@ -1,23 +1,15 @@
 // lavaray-diff: compares images.
+#include <lavaray/image.h>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <optional>
 #include <string>
 
-#include "base/errors.hpp"
-#include "base/file_claims.hpp"
-#include "base/output_file.hpp"
-#include "base/printable.hpp"
 #include "command_line/program.hpp"
-#include "command_line/version.hpp"
+#include "command_line/shown.hpp"
 #include "diff/options.hpp"
 #include "diff/text_report.hpp"
-#include "image/image_reader.hpp"
-#include "image/image_writer.hpp"
-#include "library/guarded.hpp"
-#include "report/page.hpp"
-#include "report/pair_json.hpp"
 
 namespace lavaray {
 namespace {
@@ -42,19 +34,19 @@ class Outputs {
       reportFile_.emplace(report);
       const std::string title =
           options.from.empty() && !options.name.empty() ? options.name : "Picture comparison";
-      page_.emplace(reportFile_->stream(), title, std::string("lavaray ") + kVersion);
+      page_.emplace(*reportFile_, ReportFormat::kHtml, title);
     }
     if (!json.file.empty()) {
       jsonFile_.emplace(json);
-      pairs_.emplace(jsonFile_->stream(), kVersion);
+      pairs_.emplace(*jsonFile_, ReportFormat::kJson);
     }
   }
 
   void add(const ComparedPair& compared) {
     if (page_) page_->add(compared);
     if (pairs_) pairs_->add(compared);
-    if (!picture_ || !compared.isCompared()) return;
-    writeImage(differencePicture(*compared.image, *compared.reference), format_, picture_->stream());
+    if (!picture_ || !isCompared(compared)) return;
+    writeImage(differencePicture(*compared.image, *compared.reference), format_, *picture_);
     picture_->commit();
   }
 
@@ -70,45 +62,48 @@ class Outputs {
   ImageFormat format_{};
   std::optional<OutputFile> reportFile_;
   std::optional<OutputFile> jsonFile_;
-  std::optional<ReportPage> page_;
-  std::optional<PairsFile> pairs_;
+  std::optional<ReportWriter> page_;
+  std::optional<ReportWriter> pairs_;
 };
 
-std::vector<Pair> pairsOf(const DiffOptions& options) {
-  std::vector<Pair> pairs;
+std::vector<ImagePair> pairsOf(const DiffOptions& options) {
+  std::vector<ImagePair> pairs;
   for (const std::string& file : options.from) {
-    const std::vector<Pair> more = readPairs(file);
+    const std::vector<ImagePair> more = readPairs(file);
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
   if (!options.from.empty()) return pairs;
   if (std::filesystem::is_directory(options.image)) {
     pairs = pairsOfFolders(options.image, options.reference);
     if (pairs.empty()) {
-      throw Error(ExitCode::kInput, printable(options.image) + " and " + printable(options.reference) +
-                                        " hold no images that can be read");
+      throw Error(ErrorKind::kInput, shown(options.image) + " and " + shown(options.reference) +
+                                         " hold no images that can be read");
     }
   } else {
     const std::string own = std::filesystem::path(options.image).filename();
     pairs.push_back({options.name.empty() ? own : options.name, options.image, options.reference, {}, {}});
   }
-  for (Pair& pair : pairs) {
+  for (ImagePair& pair : pairs) {
     pair.driver = options.driver;
     pair.limits = options.limits;
   }
   return pairs;
 }
 
-ExitCode exitCode(const std::vector<Verdict>& verdicts) {
+// Besides those of errors.
+constexpr int kImagesDiffer = 10;
+
+int exitCode(const std::vector<Verdict>& verdicts) {
   const auto has = [&](Verdict verdict) { return std::count(verdicts.begin(), verdicts.end(), verdict) > 0; };
-  if (has(Verdict::kUnreadable)) return ExitCode::kInput;
+  if (has(Verdict::kUnreadable)) return static_cast<int>(ErrorKind::kInput);
   const auto alike = std::count(verdicts.begin(), verdicts.end(), Verdict::kAlike);
-  return static_cast<std::size_t>(alike) == verdicts.size() ? ExitCode::kSuccess : ExitCode::kImagesDiffer;
+  return static_cast<std::size_t>(alike) == verdicts.size() ? 0 : kImagesDiffer;
 }
 
-ExitCode diff(const DiffOptions& options) {
-  const std::vector<Pair> pairs = pairsOf(options);
+int diff(const DiffOptions& options) {
+  const std::vector<ImagePair> pairs = pairsOf(options);
   const bool areMany = !options.from.empty() || std::filesystem::is_directory(options.image);
-  for (const Pair& pair : pairs) {
+  for (const ImagePair& pair : pairs) {
     for (const std::filesystem::path& file : {pair.image, pair.reference}) {
       if (!file.empty()) noteRead(file, "the image");
     }
@@ -116,7 +111,7 @@ ExitCode diff(const DiffOptions& options) {
   Outputs outputs(options);
   std::vector<Verdict> verdicts;
   std::string problem;
-  for (const Pair& pair : pairs) {
+  for (const ImagePair& pair : pairs) {
     const ComparedPair compared = comparePair(pair);
     verdicts.push_back(compared.verdict);
     problem = compared.problem;
@@ -125,7 +120,7 @@ ExitCode diff(const DiffOptions& options) {
   }
   outputs.finish();
   if (areMany) printSummary(verdicts);
-  if (!areMany && !problem.empty()) throw Error(ExitCode::kInput, problem);
+  if (!areMany && !problem.empty()) throw Error(ErrorKind::kInput, problem);
   return exitCode(verdicts);
 }
 
@@ -139,10 +134,10 @@ std::string valuesText(const Image& image) {
   return text;
 }
 
-ExitCode info(const std::string& file) {
+int info(const std::string& file) {
   const Image image = readImage(file);
   const auto print = [](const std::string& name, const std::string& value) {
-    std::cout << std::left << std::setw(18) << printable(name) << ' ' << printable(value) << '\n';
+    std::cout << std::left << std::setw(18) << shown(name) << ' ' << shown(value) << '\n';
   };
   print("format", image.source.format);
   print("size", std::to_string(image.width) + " x " + std::to_string(image.height));
@@ -150,7 +145,7 @@ ExitCode info(const std::string& file) {
   print("alpha", image.alpha.empty() ? "no" : "yes");
   for (const std::string& note : image.source.notes) print("note", note);
   for (const auto& [keyword, text] : image.source.texts) print(keyword, text);
-  return ExitCode::kSuccess;
+  return 0;
 }
 
 }  // namespace
@@ -158,10 +153,8 @@ ExitCode info(const std::string& file) {
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray-diff", [&] {
-    return lavaray::guarded([&] {
-      const auto options = lavaray::parseDiffOptions(argc, argv);
-      if (!options) return 0;
-      return static_cast<int>(options->info ? lavaray::info(options->image) : lavaray::diff(*options));
-    });
+    const auto options = lavaray::parseDiffOptions(argc, argv);
+    if (!options) return 0;
+    return options->info ? lavaray::info(options->image) : lavaray::diff(*options);
   });
 }

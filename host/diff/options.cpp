@@ -1,18 +1,17 @@
 #include "diff/options.hpp"
 
+#include <lavaray/image.h>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
 
-#include "base/errors.hpp"
 #include "command_line/usage.hpp"
 #include "command_line/version.hpp"
-#include "image/image_format.hpp"
 
 namespace lavaray {
 namespace {
 
-void addLimits(CLI::App& app, Limits& limits) {
+void addLimits(CLI::App& app, DifferenceLimits& limits) {
   app.add_option("--tolerance", limits.tolerance, "A channel off by at most T/255 does not differ")
       ->type_name("T")
       ->check(numberFrom(0.0));
@@ -51,7 +50,7 @@ void addOutputs(CLI::App& app, DiffOptions& options) {
 }
 
 [[noreturn]] void failUsage(const std::string& why) {
-  throw Error(ExitCode::kUsage, why);
+  throw Error(ErrorKind::kUsage, why);
 }
 
 void check(const DiffOptions& options) {

@@ -1,10 +1,9 @@
 #pragma once
 
+#include <lavaray/statistics.h>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "report/pair.hpp"
 
 namespace lavaray {
 
@@ -17,7 +16,7 @@ struct DiffOptions {
   std::string json;
   std::string name;
   std::string driver;
-  Limits limits;
+  DifferenceLimits limits;
   bool info = false;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "base/printable.hpp"
+#include "command_line/shown.hpp"
 
 namespace lavaray {
 namespace {
@@ -22,7 +22,7 @@ void printDifference(const Difference& difference, double flip) {
   std::cout << "differing    " << difference.differing << " of " << difference.pixels << " pixels\n"
             << "largest      " << color.largest * 255.0 << " / 255 at " << position(color.x, color.y) << '\n'
             << "RMSE         " << color.rmse << '\n'
-            << "PSNR         " << color.psnr() << " dB\n"
+            << "PSNR         " << psnr(color.rmse) << " dB\n"
             << "mean FLIP    " << flip << '\n';
 }
 
@@ -66,17 +66,21 @@ const char* wordFor(Verdict verdict) {
 
 }  // namespace
 
+bool isCompared(const ComparedPair& compared) {
+  return compared.verdict == Verdict::kAlike || compared.verdict == Verdict::kDiffers;
+}
+
 void printPair(const ComparedPair& compared) {
   if (!compared.image || !compared.reference) return;
   std::cout << "size         " << sizeOf(*compared.image) << '\n';
   printNotes("IMAGE", *compared.image);
   printNotes("REFERENCE", *compared.reference);
-  if (!compared.isCompared()) {
+  if (!isCompared(compared)) {
     std::cout << "reference    " << sizeOf(*compared.reference) << '\n';
     return;
   }
   if (!compared.comparedAs.empty()) std::cout << "compared as  " << compared.comparedAs << '\n';
-  printDifference(compared.difference, compared.seen.mean);
+  printDifference(compared.difference, compared.flip);
   printAlpha(*compared.image, *compared.reference, compared.difference.alpha);
   printNotFinite(compared.difference);
 }
@@ -85,7 +89,7 @@ void printLine(const ComparedPair& compared) {
   const Difference& difference = compared.difference;
   std::string word = wordFor(compared.verdict);
   word.resize(13, ' ');
-  std::cout << word << printable(compared.pair.name);
+  std::cout << word << shown(compared.pair.name);
   switch (compared.verdict) {
     case Verdict::kAlike:
     case Verdict::kDiffers:
@@ -93,7 +97,7 @@ void printLine(const ComparedPair& compared) {
       std::cout << ": " << difference.differing << " of " << difference.pixels << " pixels, largest "
                 << difference.color.largest * 255.0 << " / 255 at "
                 << position(difference.color.x, difference.color.y) << ", RMSE " << difference.color.rmse
-                << ", mean FLIP " << compared.seen.mean;
+                << ", mean FLIP " << compared.flip;
       break;
     case Verdict::kSizesDiffer:
       std::cout << ": " << sizeOf(*compared.image) << ", the reference " << sizeOf(*compared.reference);

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <lavaray/image.h>
 #include <vector>
 
-#include "report/pair.hpp"
-
 namespace lavaray {
+
+bool isCompared(const ComparedPair& compared);
 
 // What is printed to stdout.
 

@@ -1,4 +1,4 @@
-#include "image/difference.hpp"
+#include "library/difference.hpp"
 
 #include <lavaray/image.h>
 
@@ -16,11 +16,22 @@ std::string sizeText(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-v0::ChannelDifference publicDifference(const ChannelDifference& channels) {
+v0::ChannelDifference publicChannels(const ChannelDifference& channels) {
   return {channels.differing, channels.largest, channels.x, channels.y, channels.rmse};
 }
 
 }  // namespace
+
+v0::Difference publicDifference(const Difference& found) {
+  return {found.pixels,
+          found.differing,
+          found.finite,
+          found.unlike,
+          found.unlikeX,
+          found.unlikeY,
+          publicChannels(found.color),
+          publicChannels(found.alpha)};
+}
 
 void checkValues(const Image& image) {
   const bool hasSides = image.width > 0 && image.height > 0;
@@ -46,15 +57,7 @@ namespace v0 {
 Difference compare(const Image& image, const Image& reference, double tolerance) {
   return guarded([&] {
     checkSameSize(image, reference);
-    const lavaray::Difference found = lavaray::compare(image, reference, tolerance);
-    return Difference{found.pixels,
-                      found.differing,
-                      found.finite,
-                      found.unlike,
-                      found.unlikeX,
-                      found.unlikeY,
-                      publicDifference(found.color),
-                      publicDifference(found.alpha)};
+    return publicDifference(lavaray::compare(image, reference, tolerance));
   });
 }
 

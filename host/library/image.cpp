@@ -76,11 +76,17 @@ std::optional<ImageFormat> imageFormat(const std::filesystem::path& file) {
 void writeImage(const Image& image, const std::filesystem::path& file, const TextEntries& texts) {
   guarded([&] {
     const ImageFormat format = formatOf(file);
-    checkValues(image);
     OutputFile output({"the image", file});
-    const bool isAsShown = !hasBytes(format) || std::ranges::all_of(image.rgb, isDisplayable);
-    lavaray::writeImage(isAsShown ? image : clamped(image), format, output.stream(), texts);
+    writeImage(image, format, output, texts);
     output.commit();
+  });
+}
+
+void writeImage(const Image& image, ImageFormat format, OutputFile& file, const TextEntries& texts) {
+  guarded([&] {
+    checkValues(image);
+    const bool isAsShown = !hasBytes(format) || std::ranges::all_of(image.rgb, isDisplayable);
+    lavaray::writeImage(isAsShown ? image : clamped(image), format, file.stream(), texts);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <lavaray/statistics.h>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,24 +15,9 @@ namespace lavaray {
 // This room compares pairs of image files and tells of them: as JSON, and on a page that shows the pictures.
 // It decides nothing about exit codes and prints nothing.
 
-// Only limits that are given count; if there are none, no pixel may differ.
-struct Limits {
-  std::optional<double> tolerance;  // in 1/255
-  std::optional<std::size_t> maxDiffering;
-  std::optional<double> maxRmse;
-  std::optional<double> maxFlip;
-};
-
-// Two image files to be compared. A path that is empty is a partner that is missing.
-struct Pair {
-  std::string name;
-  std::filesystem::path image;
-  std::filesystem::path reference;
-  std::string driver;  // that rendered the image, in words; may be empty
-  Limits limits;
-};
-
-enum class Verdict { kAlike, kDiffers, kSizesDiffer, kImageMissing, kReferenceMissing, kUnreadable };
+using v0::Verdict;
+using Limits = v0::DifferenceLimits;
+using Pair = v0::ImagePair;
 
 struct ComparedPair {
   Pair pair;

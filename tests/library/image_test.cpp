@@ -42,6 +42,43 @@ TEST(LibraryImage, EightBitsClampWhatTheyCannotSay) {
   EXPECT_EQ(readImage(scratch("kept.pfm")).rgb[2], 300.0F);
 }
 
+TEST(LibraryImage, PairsOfFilesAreComparedAndReported) {
+  Image other = ramp();
+  other.rgb[0] = 1.0F;
+  writeImage(ramp(), scratch("ramp.png"));
+  writeImage(other, scratch("other.png"));
+  ImagePair pair{"ramp", scratch("ramp.png"), scratch("other.png"), "a driver", {}};
+  const ComparedPair differs = comparePair(pair);
+  EXPECT_EQ(differs.verdict, Verdict::kDiffers);
+  EXPECT_EQ(differs.difference.differing, 1U);
+  EXPECT_GT(differs.flip, 0.0);
+  ASSERT_NE(differs.image, nullptr);
+  EXPECT_EQ(differs.image->rgb, ramp().rgb);
+  pair.limits.maxDiffering = 1;
+  EXPECT_EQ(comparePair(pair).verdict, Verdict::kAlike);
+  pair.reference = scratch("missing.png");
+  const ComparedPair unreadable = comparePair(pair);
+  EXPECT_EQ(unreadable.verdict, Verdict::kUnreadable);
+  EXPECT_NE(unreadable.problem.find("missing.png"), std::string::npos);
+
+  const auto report = [&](const std::string& name, ReportFormat format) {
+    OutputFile file({"the report", scratch(name)});
+    ReportWriter writer(file, format, "Two ramps");
+    for (const ComparedPair* compared : {&differs, &unreadable}) writer.add(*compared);
+    EXPECT_THROW(writer.add({}), Error);
+    writer.finish();
+    file.commit();
+    std::ifstream stream(scratch(name));
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  EXPECT_NE(report("pairs.html", ReportFormat::kHtml).find("Two ramps"), std::string::npos);
+  report("pairs.json", ReportFormat::kJson);
+  const std::vector<ImagePair> read = readPairs(scratch("pairs.json"));
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].driver, "a driver");
+  EXPECT_EQ(read[1].limits.maxDiffering, 1U);
+}
+
 TEST(LibraryImage, RowByRowIsTheSameFile) {
   writeImage(ramp(), scratch("whole.png"), {{"Title", "ramp"}});
   OutputFile file({"the image", scratch("rows.png")});

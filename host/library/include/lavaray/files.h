@@ -10,7 +10,7 @@
 
 #include <lavaray/types.h>
 
-// Files that are written whole or not at all, and films: what a render has gathered so far, in a file.
+// Files that are written whole or not at all; films: what a render has gathered so far, in a file; reports.
 namespace lavaray::v0 {
 
 // A file to write, and the name that messages give to where that comes from, such as "--output".
@@ -97,6 +97,30 @@ class LAVARAY_API FilmMerge {
   void readRow(int y, int x0, int columns, float* rgb);
   // All of the area, which checkCoverage checks. Throws Error(kUsage) if it does not lie within the picture.
   Image image(const Rectangle& area);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+struct ComparedPair;  // see image.h
+
+enum class ReportFormat {
+  kHtml,  // a page that shows the pictures in any browser, with all that it needs in it
+  kJson,
+};
+
+// A report of pairs of images, written as they are compared.
+class LAVARAY_API ReportWriter {
+ public:
+  // The file must outlive it, and is to be committed after finish(). `title` is of a page.
+  ReportWriter(OutputFile& file, ReportFormat format, const std::string& title = {});
+  ~ReportWriter();
+  ReportWriter(ReportWriter&&) noexcept;
+  ReportWriter& operator=(ReportWriter&&) noexcept;
+
+  void add(const ComparedPair& compared);
+  void finish();
 
  private:
   struct State;

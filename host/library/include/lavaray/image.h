@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <lavaray/files.h>
+#include <lavaray/statistics.h>
 #include <lavaray/types.h>
 
 // Pictures as arrays, in files, and how two of them differ.
@@ -29,6 +30,10 @@ LAVARAY_API std::optional<ImageFormat> imageFormat(const std::filesystem::path& 
 // or not at all. Only PNG and EXR files hold the texts. In formats of 8 bits values are clamped to [0, 1],
 // and a NaN is 0. Throws Error(kOutput), and Error(kUsage) for other extensions.
 LAVARAY_API void writeImage(const Image& image, const std::filesystem::path& file,
+                            const TextEntries& texts = {});
+
+// Writes it to a file that is to be committed afterwards.
+LAVARAY_API void writeImage(const Image& image, ImageFormat format, OutputFile& file,
                             const TextEntries& texts = {});
 
 // Writes an image row by row from the top, so that it need not be in memory as a whole.
@@ -88,29 +93,6 @@ inline std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(255.0 * static_cast<double>(value));
 }
 
-// How far the finite values of some channels are apart.
-struct ChannelDifference {
-  std::size_t differing = 0;  // pixels that are off by more than the tolerance
-  double largest = 0.0;       // at pixel (x, y)
-  int x = 0;
-  int y = 0;
-  double rmse = 0.0;
-};
-
-// How two images of the same size differ. A pixel that is finite in both counts towards the figures of its
-// channels. Of any other it only matters whether both have the same values there; all NaNs count as the same.
-struct Difference {
-  std::size_t pixels = 0;
-  std::size_t differing = 0;  // pixels with a channel, or alpha, off by more than the tolerance, or unlike
-  std::size_t finite = 0;     // pixels that are finite in both
-  // Other pixels, whose values are not the same in both; the first is at (unlikeX, unlikeY).
-  std::size_t unlike = 0;
-  int unlikeX = 0;
-  int unlikeY = 0;
-  ChannelDifference color;
-  ChannelDifference alpha;  // of an image without alpha it is 1
-};
-
 // These throw Error(kUsage) if the images differ in size.
 // Channels that are off by no more than `tolerance` do not differ.
 LAVARAY_API Difference compare(const Image& image, const Image& reference, double tolerance = 0.0);
@@ -132,6 +114,28 @@ LAVARAY_API std::vector<float> flipMap(const Image& image, const Image& referenc
 // are first quantised as in an 8-bit file. Images with alpha are composited over black and over white; the
 // larger mean counts.
 LAVARAY_API double meanFlip(const Image& image, const Image& reference);
+
+struct ComparedPair {
+  ImagePair pair;
+  Verdict verdict = Verdict::kUnreadable;
+  std::string problem;           // why a file cannot be read
+  const Image* image = nullptr;  // these two: null if it could not be read
+  const Image* reference = nullptr;
+  std::string comparedAs;  // if one has floats and the other integers, how, in words
+  Difference difference;   // these two: if they are alike or differ
+  double flip = 0.0;       // mean
+  struct Details;
+  std::shared_ptr<const Details> details;  // owns the images
+};
+
+// Reads and compares the two. What is wrong with a file becomes `problem`.
+LAVARAY_API ComparedPair comparePair(const ImagePair& pair);
+// The images in two folders, and in those inside of them, whose names are the same or, where there is no such
+// partner, differ in the extension only; and those without a partner. Throws Error(kInput).
+LAVARAY_API std::vector<ImagePair> pairsOfFolders(const std::filesystem::path& images,
+                                                  const std::filesystem::path& references);
+// The pairs in a report in JSON. Throws Error(kInput).
+LAVARAY_API std::vector<ImagePair> readPairs(const std::filesystem::path& json);
 
 }  // namespace lavaray::v0
 

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <lavaray/types.h>
 
-// What is in a scene, and what a render did.
+// What is in a scene, what a render did, and how two images differ.
 namespace lavaray::v0 {
 
 struct MeshSummary {
@@ -94,6 +96,49 @@ struct Statistics {
   double largestMeasure = 0.0;  // of a pixel, where the view is depth or cost: that is shown as 1
   HierarchyStatistics hierarchy;
 };
+
+// How far the finite values of some channels are apart.
+struct ChannelDifference {
+  std::size_t differing = 0;  // pixels that are off by more than the tolerance
+  double largest = 0.0;       // at pixel (x, y)
+  int x = 0;
+  int y = 0;
+  double rmse = 0.0;
+};
+
+// How two images of the same size differ. A pixel that is finite in both counts towards the figures of its
+// channels. Of any other it only matters whether both have the same values there; all NaNs count as the same.
+struct Difference {
+  std::size_t pixels = 0;
+  std::size_t differing = 0;  // pixels with a channel, or alpha, off by more than the tolerance, or unlike
+  std::size_t finite = 0;     // pixels that are finite in both
+  // Other pixels, whose values are not the same in both; the first is at (unlikeX, unlikeY).
+  std::size_t unlike = 0;
+  int unlikeX = 0;
+  int unlikeY = 0;
+  ChannelDifference color;
+  ChannelDifference alpha;  // of an image without alpha it is 1
+};
+
+// How far an image may be from its reference. Only limits that are given count; if there are none, no pixel
+// may differ.
+struct DifferenceLimits {
+  std::optional<double> tolerance;  // in 1/255
+  std::optional<std::size_t> maxDiffering;
+  std::optional<double> maxRmse;
+  std::optional<double> maxFlip;
+};
+
+// Two image files to be compared. A path that is empty is a partner that is missing.
+struct ImagePair {
+  std::string name;
+  std::filesystem::path image;
+  std::filesystem::path reference;
+  std::string driver;  // that rendered the image, in words; may be empty
+  DifferenceLimits limits;
+};
+
+enum class Verdict { kAlike, kDiffers, kSizesDiffer, kImageMissing, kReferenceMissing, kUnreadable };
 
 }  // namespace lavaray::v0
 
