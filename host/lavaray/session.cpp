@@ -134,7 +134,7 @@ ExitCode Session::renderAndWrite(const IsOutdated& isOutdated) {
 void Session::tellDefaultError(double error) {
   if (options_.quiet) return;
   progress_.end();
-  std::cerr << shownName(options_.scene) << ": a light is a sphere, so this is --target-error " << error
+  std::cerr << shownName(options_.scene) << ": a light has a radius: using --target-error " << error
             << "; --spp 1 is one sample per pixel\n";
 }
 

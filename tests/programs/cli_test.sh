@@ -225,7 +225,7 @@ expect 0 '' "$lavaray" "$scene" $small --spp 16 --light-radius 1 -o soft.pfm
 expect 10 '' "$diff" soft.pfm four.pfm
 
 # A spherical light where nothing is said about samples: to a target error, for the views of colours, and one line says so.
-line='stdin: a light is a sphere, so this is --target-error 0.01; --spp 1 is one sample per pixel'
+line='stdin: a light has a radius: using --target-error 0.01; --spp 1 is one sample per pixel'
 expect 0 '' "$lavaray" - $small --light-radius 1 -o soft-default.pfm <"$scene"
 holds 'the line says so' test "$(cat stderr)" = "$line"
 expect 0 '' "$lavaray" "$scene" $small --light-radius 1 --target-error 0.01 -o soft.pfm

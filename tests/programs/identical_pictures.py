@@ -28,7 +28,8 @@ DIFFERS = 10  # lavaray-diff's exit code
 CHECKSUM_BYTES = 16  # of a film, at its end
 # What another run of the same program, or one that cuts the work otherwise, writes differently. Dispatches are cut by
 # the clock.
-MASKED_KEYS = ("seconds", "steps", "peakBytes", "bufferBytes", "dispatches", "activity", "perSecond")
+MASKED_KEYS = ("seconds", "steps", "peakBytes", "bufferBytes", "dispatches", "activity", "perSecond",
+               "lanesInUse")
 
 
 def scenes_of(quick):
@@ -50,7 +51,7 @@ def masked(text, programs, folder):
     for path, name in ((folder, "SCRATCH"), (programs, "PROGRAMS")):
         text = text.replace(str(path), name)
     text = re.sub(r"(?m)^.* % .* elapsed.*\n", "", text)  # progress, after half a second
-    text = re.sub(r"(?m)^  (idle|host waits|a second) +\d.*\n", "", text)
+    text = re.sub(r"(?m)^  (idle|host waits|a second|lanes in use) +\w.*\n", "", text)
     text = re.sub(r" *\d+(\.\d+)? (s|ms|MiB|MB)\b", r" # \2", text)
     text = re.sub(r"(?m)^(  (?:read scene|build|wait for device|render|write image|all)) +[\d.]+$", r"\1 #", text)
     return re.sub(r"(?m)^(  dispatches) +\d+$", r"\1 #", text)

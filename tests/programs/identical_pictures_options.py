@@ -46,6 +46,7 @@ LAVARAY = {
     "--watch": "never ends by itself; watch_test.py compares its pictures with those of a run of its own",
     "--shaders": "the shaders are those of a tree, and go with its build alone; watch_test.py and cli_test.sh",
     "--device": [["--device", "0"], ["--device", "llvmpipe"]],
+    "--tuning": [["--tuning", way] for way in ("auto", "texels,1", "storage,4")],
     "--list-devices": [["--list-devices"], ["--list-devices", "--verbose"]],
     "--check": [["--check"], ["--check", "--json", "{}.json"]],
     "--stats": [["--stats"], ["--stats", *ADAPTIVE, *MIRRORS]],

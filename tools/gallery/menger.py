@@ -1,4 +1,4 @@
-"""A sponge of Menger's, four times divided, lit from within in two colours."""
+"""A Menger sponge, four subdivisions deep, lit from within in two colours."""
 
 import itertools
 
