@@ -5,15 +5,13 @@
 
 #include "camera.glsl"
 #include "lane.glsl"
+#include "status.glsl"
 #include "surface.glsl"
 
 layout(local_size_x = kWorkGroupSize) in;
 
 layout(std430, set = 0, binding = kBindingResults) buffer Results {
   WorkResult results[];
-};
-layout(std430, set = 0, binding = kBindingStatus) buffer Status {
-  DispatchStatus status;
 };
 layout(push_constant) uniform PushConstants {
   DispatchConstants constants;
