@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/rectangle.hpp"
+#include "sampling/discoveries.hpp"
 #include "sampling/sample_range.hpp"
 #include "sampling/sample_sums.hpp"
 
@@ -38,6 +39,7 @@ struct FilmHeader {
   std::uint32_t roundSize = 0;
   std::uint64_t itemsDone = 0;
   std::uint64_t itemsPending = 0;
+  Discoveries discoveries;  // of the passes before (kHalves)
 };
 
 }  // namespace lavaray

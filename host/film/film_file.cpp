@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "film files hold numbers as they are in memory");
 
-constexpr std::string_view kMagic = "lavaray film 2\n";
+constexpr std::string_view kMagic = "lavaray film 3\n";
 // Of the header; whatever has more is not a film.
 constexpr std::uint64_t kMaxHeaderBytes = 1U << 24U;
 constexpr std::size_t kChunkBytes = 1U << 20U;
@@ -52,7 +52,8 @@ Json toJson(const FilmHeader& header) {
           {"isComplete", header.isComplete},
           {"round", {header.roundFirst, header.roundSize}},
           {"itemsDone", header.itemsDone},
-          {"itemsPending", header.itemsPending}};
+          {"itemsPending", header.itemsPending},
+          {"discoveries", header.discoveries.state()}};
 }
 
 FilmHeader fromJson(const Json& json) {
@@ -70,6 +71,7 @@ FilmHeader fromJson(const Json& json) {
   header.roundSize = json.at("round").at(1);
   header.itemsDone = json.at("itemsDone");
   header.itemsPending = json.at("itemsPending");
+  header.discoveries.restore(json.at("discoveries"));
   return header;
 }
 

@@ -106,6 +106,7 @@ void describe(const SamplingProgress& progress, FilmHeader& header) {
       break;
     case SumKind::kHalves:
       header.itemsPending = pass.items - progress.itemsDone;
+      header.discoveries = progress.plan->discoveries();
       break;
     default:
       header.roundFirst = pass.samples.first;
@@ -129,7 +130,7 @@ void resumeFrom(FilmReader& film, SamplingProgress& progress) {
   if (progress.plan) {
     // A pass cannot be planned again from sums that already have some of its results, so what is left of it
     // is in the film.
-    progress.plan->resumeFrom(progress.sums.halves());
+    progress.plan->resumeFrom(progress.sums.halves(), header.discoveries);
     WorkList pending(header.itemsPending);
     film.readItems(std::as_writable_bytes(std::span(pending)));
     progress.passes.push_back(listedPass(std::move(pending)));

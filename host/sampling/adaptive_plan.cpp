@@ -31,11 +31,30 @@ constexpr int kBandRows = 16;
 // while the rest is listed.
 constexpr std::size_t kPassParts = 8;
 
-// Aims lower than asked for: pixels that look too easy by chance are not looked at again, and the error of
-// narrow penumbrae converges ever more slowly, which makes the estimate up to 18 % too low.
-constexpr double kGoalFactor = 0.85;
+// Aims lower than asked for, as much as the estimate may be too low: over 19 scenes, targets from 0.02 to
+// 0.001 and several seeds, 97 % of the true errors are then at most the target.
+constexpr double kGoalFactor = 0.87;
+// What pixels tell is too little by these factors of the squared error: a pixel gets more samples where its
+// differences are large, so in the mean the former ones are larger than those that follow, which makes them
+// seem to fall faster than they do; and it stops where they are small. Where samples are few, they decide by
+// themselves. Measured: the estimates of most of the scenes are then within a tenth of the true error, and no
+// other constants of the same number came closer.
+constexpr double kSelection = 1.44;
+constexpr double kSelectionOfFew = 1.75;
+constexpr std::size_t kFewSteps = 4;  // fewer than 16 samples
+// What a pass leads to is known only roughly, so that one that aims at the goal often goes too far. While
+// more than the second of these shares is left, a pass does no more than leave this one of it, up to a limit.
+constexpr double kShareLeft = 1.0 / 3.0;
+constexpr double kLeastExcess = 0.03;
+constexpr double kMostExcess = 0.15;
 // A pixel whose error is below this many times the goal is not worth a better estimate.
 constexpr double kNegligibleError = 0.1;
+
+PictureScale withSelection(PictureScale scale) {
+  for (std::size_t step = 0; step < scale.seen.size(); ++step)
+    scale.seen[step] *= step < kFewSteps ? kSelectionOfFew : kSelection;
+  return scale;
+}
 
 int sampleStepOf(std::uint32_t samples) {
   return static_cast<int>(std::bit_width(samples)) - 1;
@@ -65,15 +84,17 @@ AdaptivePlan::AdaptivePlan(const ImageSize& size, const AdaptiveGoal& goal,
       bandPixels_(std::uint64_t{kBandRows} * static_cast<std::uint64_t>(size.width)),
       bands_((pixels_ + bandPixels_ - 1) / bandPixels_),
       smallObjects_(std::move(smallObjects)),
+      isStratified_(goal.isStratified),
       estimate_(size.width, size.height, goal.isStratified,
                 kNegligibleError * kNegligibleError * goal_ * goal_) {}
 
 double AdaptivePlan::estimatedError(std::uint64_t pixel) const {
-  return std::sqrt(estimate_.classes()[pixel].squaredError());
+  return std::sqrt(scale_.squaredError(estimate_.classes()[pixel]));
 }
 
-void AdaptivePlan::resumeFrom(std::span<const HalfSums> sums) {
+void AdaptivePlan::resumeFrom(std::span<const HalfSums> sums, const Discoveries& discoveries) {
   hasStarted_ = true;
+  discoveries_ = discoveries;
   estimate_.markAll();
   for (const HalfSums& pixel : sums)
     plannedSamples_ += kUsualGrowth * (pixel.halves[0].samples() + pixel.halves[1].samples());
@@ -146,6 +167,9 @@ void AdaptivePlan::listGrowth(std::size_t end, std::span<HalfSums> sums, WorkLis
   forBands(begin, end, [&](std::size_t /*band*/, const PixelRange& pixels) {
     for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel) {
       if (allocation_->growth(classes[pixel]) == 0) continue;
+      const bool isSuspected = classes[pixel].isSuspected();
+      sums[pixel].suspected = isSuspected ? static_cast<float>(classes[pixel].squaredError()) : 0.0F;
+      sums[pixel].formerDifference = isSuspected ? 0.0F : estimate_.squaredDifference(pixel);
       sums[pixel].halves[0].add(sums[pixel].halves[1]);
       sums[pixel].halves[1] = {};
       estimate_.mark(pixel);
@@ -165,6 +189,17 @@ void AdaptivePlan::advance(std::uint64_t items, std::span<const HalfSums> sums) 
   if (done < bandEnds_.size()) estimate_.updateRows(sums, static_cast<int>(done) * kBandRows);
 }
 
+// In the order of the pixels, as sums of doubles depend on it.
+void AdaptivePlan::takeDiscoveries(std::span<HalfSums> sums) {
+  const std::span<const PixelClass> classes = estimate_.classes();
+  for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) {
+    if (sums[pixel].suspected == 0.0F) continue;
+    discoveries_.add(classes[pixel].sampleStep() - 1, double{sums[pixel].suspected},
+                     double{estimate_.squaredDifference(pixel)});
+    sums[pixel].suspected = 0.0F;
+  }
+}
+
 SamplePass AdaptivePlan::nextPass(std::span<HalfSums> sums) {
   SamplePass pass = beginPass(sums);
   listRest(pass, sums);
@@ -182,7 +217,15 @@ SamplePass AdaptivePlan::beginPass(std::span<HalfSums> sums, WorkList items) {
     return listedPass(std::move(items));
   }
   estimate_.update(sums);
-  allocation_.emplace(estimate_.classes(), goal_ * goal_, maxSampleStep_);
+  takeDiscoveries(sums);
+  scale_ = estimate_.scale(sums, discoveries_);
+  if (isStratified_) scale_ = withSelection(scale_);
+  allocation_.emplace(estimate_.classes(), scale_, goal_ * goal_, maxSampleStep_);
+  const double excess = std::sqrt(allocation_->squaredError()) / goal_ - 1.0;
+  if (excess > kLeastExcess) {
+    const double aim = goal_ * (1.0 + std::min(kShareLeft * excess, kMostExcess));
+    allocation_.emplace(estimate_.classes(), scale_, aim * aim, maxSampleStep_);
+  }
   estimatedError_ = std::sqrt(allocation_->squaredError());
   plannedSamples_ = allocation_->samples();
   if (reachedTarget()) {

@@ -45,8 +45,9 @@ class AdaptivePlan {
   // the error is then worked out at once, while others are traced, instead of by the next call of nextPass().
   void advance(std::uint64_t items, std::span<const HalfSums> sums);
 
-  // Goes on from the sums of an earlier plan for the same image.
-  void resumeFrom(std::span<const HalfSums> sums);
+  // Goes on from the sums of an earlier plan for the same image, and from what it had found.
+  void resumeFrom(std::span<const HalfSums> sums, const Discoveries& discoveries);
+  [[nodiscard]] const Discoveries& discoveries() const { return discoveries_; }
 
   [[nodiscard]] bool reachedTarget() const { return estimatedError_ <= goal_; }
   [[nodiscard]] double estimatedError() const { return estimatedError_; }  // RMSE over pixels and channels
@@ -64,6 +65,7 @@ class AdaptivePlan {
   void forBands(std::size_t begin, std::size_t end, const Work& work) const;
   template <typename VisitItems>
   void list(std::size_t end, const VisitItems& visitItems, WorkList& items);
+  void takeDiscoveries(std::span<HalfSums> sums);
   void listFirst(WorkList& items);
   void listGrowth(std::size_t end, std::span<HalfSums> sums, WorkList& items);
 
@@ -80,6 +82,9 @@ class AdaptivePlan {
   std::vector<std::uint64_t> bandEnds_;
   std::optional<SampleAllocation> allocation_;  // as long as bands are left to list
   std::vector<std::uint64_t> smallObjects_;
+  bool isStratified_;
+  Discoveries discoveries_;
+  PictureScale scale_{};
   ErrorEstimate estimate_;
 };
 

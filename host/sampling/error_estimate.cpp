@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "sampling/convergence.hpp"
+#include "sampling/picture_evidence.hpp"
 
 namespace lavaray {
 namespace {
@@ -17,8 +18,6 @@ using convergence::rateStepOf;
 constexpr int kUsualRateStep = rateStepOf(1.25);
 constexpr int kIndependentRateStep = rateStepOf(1.0);
 constexpr int kSmoothRateStep = rateStepOf(3.0);
-// An edge that all n samples have missed is shorter the more they are; see unseenEdge.
-constexpr int kUnseenRateStep = rateStepOf(2.0);
 // The usual rate counts as much as this many pixels in which another one is observed.
 constexpr float kUsualRatePixels = 2.0F;
 
@@ -27,27 +26,38 @@ constexpr int kReach = 2;
 // On a straight slope of shading the squared contrast between two neighbours is at most this many times the
 // variance within one: 12 across the pixels' sides, and as much again for chance.
 constexpr float kSlopeContrast = 24.0F;
-// An edge that crosses a neighbour explains the contrast to it, unless it covers more than three quarters of
-// the neighbour and so comes close: p^2 > 3 p (1 - p) where p > 3/4.
-constexpr float kNeighbourContrast = 3.0F;
 // Where shading is smooth, the variance of two samples is 1/7 of its squared slope. Below the first of these
 // shares it counts as smooth, above the second as not; what lies between may be chance.
 constexpr float kSmoothShare = 0.35F;
 constexpr float kRoughShare = 0.7F;
-// The share of the pixels differing from a neighbour that have an edge that was missed. Measured: a higher
-// share undershoots the target for nothing, a lower one overshoots it.
-constexpr float kUnseenShare = 0.05F;
+// What is suspected is taken for the error of a pixel where this share of it is more than what the samples
+// show.
+constexpr float kSuspectedShare = 0.05F;
+// What neighbours show is of no interest if squared it is less than this, about a level of 8 bits.
+constexpr float kMinAmplitude = 1e-5F;
+// Among n samples that have met it, a value that differs by a from all others has a variance of at least a^2
+// / n.
+constexpr float kMissedVariance = 0.5F;
 
 template <typename Vector>
 auto meanSquare(const Vector& v) {
   return (v.r * v.r + v.g * v.g + v.b * v.b) / 3;
 }
 
-// Where two pixels differ there may be an edge that happens to lie beyond all samples of either. If an edge
-// covers a share c of the pixel, every c being equally likely, and n samples have missed it, the mean of c^2
-// is 2 / ((n + 2) (n + 3)).
-float unseenEdge(float squaredContrast, float samples) {
-  return kUnseenShare * squaredContrast * 2.0F / ((samples + 2.0F) * (samples + 3.0F));
+// What a neighbour shows may be in the pixel, too, beyond all its samples. If it covers a share c of the
+// pixel, every c being equally likely, and n samples have missed it, the mean of c^2 is 2 / ((n + 2) (n +
+// 3)). In how many pixels it is there at all is for Discoveries to tell.
+float suspectedError(float squaredAmplitude, float samples) {
+  return std::max(squaredAmplitude, 0.0F) * 2.0F / ((samples + 2.0F) * (samples + 3.0F));
+}
+
+// If a neighbour's samples have two values, one of them the pixel's own, their squared difference: with the
+// other one's probability q, the contrast is its q-th part and the variance has q (1 - q) of its square.
+// Where the contrast is a small part of the variance, as between pixels of one penumbra, q is not known so
+// well.
+float squaredAmplitude(float squaredContrast, float neighbourVariance) {
+  const float sum = squaredContrast + neighbourVariance;
+  return sum * std::min(sum / std::max(squaredContrast, 1e-12F), 4.0F);
 }
 
 // How much a neighbour's variance says about a pixel's own, of which n samples are known. In a penumbra where
@@ -191,12 +201,34 @@ int ErrorEstimate::rateStepAround(int x, int y, int usualRateStep) const {
   return rateStep;
 }
 
+float ErrorEstimate::squaredDifference(std::size_t pixel) const {
+  const Statistics& s = statistics_[pixel];
+  const auto n = static_cast<float>(1U << static_cast<unsigned>(s.sampleStep));
+  return s.difference / (n * std::sqrt(n));
+}
+
+PictureScale ErrorEstimate::scale(std::span<const HalfSums> sums, const Discoveries& discoveries) const {
+  PictureScale result{{}, discoveries.shares()};
+  result.seen.fill(1.0);
+  if (!isStratified_) return result;  // the variance tells the error of independent samples
+  const auto columns = static_cast<std::size_t>(width_);
+  std::vector<PictureEvidence> rows(static_cast<std::size_t>(height_));
+  parallelFor(rows.size(), hardwareThreads(), [&](std::size_t y) {
+    for (std::size_t pixel = y * columns; pixel < (y + 1) * columns; ++pixel)
+      rows[y].add(classes_[pixel], double{squaredDifference(pixel)}, double{sums[pixel].formerDifference});
+  });
+  PictureEvidence all;
+  for (const PictureEvidence& row : rows) all.add(row);
+  result.seen = all.scales();
+  return result;
+}
+
 PixelClass ErrorEstimate::classOf(int x, int y) const {
   const Statistics& own = statistics_[static_cast<std::size_t>(y) * width_ + x];
   const auto n = static_cast<float>(1U << static_cast<unsigned>(own.sampleStep));
   float variance = 0.0F;
   float weights = 0.0F;
-  float unexplained = 0.0F;  // the largest squared contrast that no variance explains
+  float amplitude = 0.0F;  // squared, of what neighbours show
   for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
     for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
       const Statistics& neighbour = statistics_[static_cast<std::size_t>(v) * width_ + u];
@@ -204,18 +236,18 @@ PixelClass ErrorEstimate::classOf(int x, int y) const {
       const float weight = likeness(contrast, neighbour.variance, n);
       variance += weight * neighbour.variance;
       weights += weight;
-      unexplained = std::max(unexplained, contrast - kNeighbourContrast * neighbour.variance);
+      amplitude = std::max(amplitude, squaredAmplitude(contrast, neighbour.variance));
     }
   }
   variance /= weights;
-  unexplained -= kSlopeContrast * own.variance;
   int rateStep = isStratified_ ? kUsualRateStep : kIndependentRateStep;
   if (isStratified_ && variance * convergence::squaredError(rateStep, own.sampleStep) > negligible_)
     rateStep = rateStepAround(x, y, usualRateStep(x, y, variance));
   const float seen = variance * convergence::squaredError(rateStep, own.sampleStep);
-  const float unseen = unexplained > 0.0F ? unseenEdge(unexplained, n) : 0.0F;
-  return seen >= unseen ? PixelClass(seen, rateStep, own.sampleStep)
-                        : PixelClass(unseen, kUnseenRateStep, own.sampleStep);
+  const bool mayMiss = amplitude > kMinAmplitude && own.variance < kMissedVariance * amplitude / n;
+  const float suspected = mayMiss ? suspectedError(amplitude - kSlopeContrast * variance, n) : 0.0F;
+  return seen >= kSuspectedShare * suspected ? PixelClass(seen, rateStep, own.sampleStep)
+                                             : PixelClass::ofSuspected(suspected, own.sampleStep);
 }
 
 }  // namespace lavaray

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "sampling/picture_scale.hpp"
 #include "sampling/pixel_sum.hpp"
 #include "sampling/sample_allocation.hpp"
 
@@ -19,8 +20,9 @@ namespace lavaray {
 // small does not bias the image. But one pixel's difference is a rough estimate. Therefore the differences of
 // all pixels around tell the convergence rate, and the variance of the samples of the pixel, and of
 // neighbours that are like it, tells how large the error is. This introduces a small bias: samples that are
-// all alike look easy, whichever of two values they missed. A pixel that differs from a neighbour may have an
-// edge that all its samples missed.
+// all alike look easy, whichever of two values they missed. So the classes say how the error is spread over
+// the picture, and scale() how large it is in all. Where a neighbour shows what the pixel's samples have not
+// met, a class is of what they may have missed.
 class ErrorEstimate {
  public:
   // The samples of a pixel are either stratified or independent. Squared errors far below `negligible` are
@@ -39,6 +41,10 @@ class ErrorEstimate {
   void updateRows(std::span<const HalfSums> sums, int end);
 
   [[nodiscard]] std::span<const PixelClass> classes() const { return classes_; }
+  // Half the difference of the halves' means, squared.
+  [[nodiscard]] float squaredDifference(std::size_t pixel) const;
+  // The classes' scale by what all pixels tell together.
+  [[nodiscard]] PictureScale scale(std::span<const HalfSums> sums, const Discoveries& discoveries) const;
 
  private:
   // What a pixel's own samples say.

@@ -48,6 +48,11 @@ struct HalfSums {
   PixelSum halves[2];
   // The squared colour, averaged over the channels and summed over the samples, in the same fixed point.
   std::int64_t squares = 0;
+  // Of when the samples were half as many: half the difference of the halves' means, squared; 0 where there
+  // were fewer than two, or where something was suspected that they had missed: that, until the next
+  // estimate.
+  float formerDifference = 0.0F;
+  float suspected = 0.0F;
 };
 
 }  // namespace lavaray

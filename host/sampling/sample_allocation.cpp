@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sampling/picture_scale.hpp"
+
 namespace lavaray {
 namespace {
 
@@ -15,7 +17,8 @@ using convergence::rateAt;
 // Squared errors are kept as a float's exponent and two bits of its mantissa, counted up from 2^-60.
 constexpr unsigned kDroppedBits = 21;
 constexpr std::uint32_t kMinErrorStep = (127U - 60U) << 2U;
-constexpr std::uint32_t kErrorSteps = PixelClass::kCount / (kRateSteps * kSampleSteps);
+constexpr std::uint32_t kCodes = kRateSteps + 1;  // the last one is of what is suspected
+constexpr std::uint32_t kErrorSteps = PixelClass::kCount / (kCodes * kSampleSteps);
 
 }  // namespace
 
@@ -23,19 +26,20 @@ PixelClass::PixelClass(float squaredError, int rateStep, int sampleStep) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(squaredError) >> kDroppedBits;
   const std::uint32_t errorStep =
       std::clamp(bits, kMinErrorStep, kMinErrorStep + kErrorSteps - 1U) - kMinErrorStep;
-  index_ = static_cast<std::uint16_t>((errorStep * kRateSteps + static_cast<std::uint32_t>(rateStep)) *
-                                          kSampleSteps +
-                                      static_cast<std::uint32_t>(sampleStep));
+  index_ =
+      static_cast<std::uint16_t>((errorStep * kCodes + static_cast<std::uint32_t>(rateStep)) * kSampleSteps +
+                                 static_cast<std::uint32_t>(sampleStep));
 }
 
 double PixelClass::squaredError() const {
-  const std::uint32_t errorStep = index_ / (kRateSteps * kSampleSteps);
+  const std::uint32_t errorStep = index_ / (kCodes * kSampleSteps);
   if (errorStep == 0) return 0.0;
   constexpr std::uint32_t kMiddle = 1U << (kDroppedBits - 1U);
   return double{std::bit_cast<float>(((errorStep + kMinErrorStep) << kDroppedBits) + kMiddle)};
 }
 
-SampleAllocation::SampleAllocation(std::span<const PixelClass> pixels, double goal, int maxSampleStep)
+SampleAllocation::SampleAllocation(std::span<const PixelClass> pixels, const PictureScale& scale, double goal,
+                                   int maxSampleStep)
     : growth_(PixelClass::kCount) {
   std::vector<std::uint32_t> counts(PixelClass::kCount);
   for (const PixelClass& pixel : pixels) ++counts[pixel.index()];
@@ -47,7 +51,7 @@ SampleAllocation::SampleAllocation(std::span<const PixelClass> pixels, double go
     if (counts[i] == 0) continue;
     const PixelClass pixel(i);
     const double count = counts[i];
-    const double squaredError = pixel.squaredError();
+    const double squaredError = scale.squaredError(pixel);
     samples_ += count * std::exp2(pixel.sampleStep());
     if (squaredError == 0.0) continue;
     squaredError_ += count * squaredError / static_cast<double>(pixels.size());

@@ -7,76 +7,12 @@
 #include <random>
 
 #include "sampling/adaptive_plan.hpp"
-#include "sampling/convergence.hpp"
 #include "sampling/error_estimate.hpp"
 #include "sampling/pixel_sum.hpp"
-#include "sampling/sample_allocation.hpp"
 #include "sampling/sample_sums.hpp"
 
 namespace lavaray {
 namespace {
-
-TEST(PixelClass, KeepsWhatItIsMadeOf) {
-  for (double squaredError = 0x1p-59; squaredError < 1.0; squaredError *= 1.07) {
-    const PixelClass pixel(static_cast<float>(squaredError), 5, 7);
-    EXPECT_NEAR(pixel.squaredError(), squaredError, 0.126 * squaredError);
-    EXPECT_EQ(pixel.rateStep(), 5);
-    EXPECT_EQ(pixel.sampleStep(), 7);
-    EXPECT_EQ(PixelClass(pixel.index()).squaredError(), pixel.squaredError());
-  }
-  EXPECT_EQ(PixelClass(0.0F, 8, 23).squaredError(), 0.0);
-  EXPECT_EQ(PixelClass(0x1p-70F, 8, 23).squaredError(), 0.0);
-  EXPECT_LT(PixelClass(1e9F, 8, 23).index(), PixelClass::kCount);
-}
-
-double squaredErrorAfter(const PixelClass& pixel, int growth) {
-  return pixel.squaredError() * std::exp2(-convergence::rateAt(pixel.rateStep()) * growth);
-}
-
-// Against all other plans for five pixels: none reaches the goal with fewer samples.
-TEST(SampleAllocation, TakesTheFewestSamples) {
-  constexpr int kMaxGrowth = 5;
-  const std::vector<PixelClass> pixels = {PixelClass(0.05F, 2, 1), PixelClass(0.01F, 8, 1),
-                                          PixelClass(0.02F, 0, 2), PixelClass(0.0005F, 2, 4),
-                                          PixelClass(0.0F, 2, 1)};
-  int plans = 0;
-  for (double goal = 0.008; goal > 0.0005; goal *= 0.8) {
-    const SampleAllocation plan(pixels, goal, 20);
-    double error = 0.0;
-    double samples = 0.0;
-    for (const PixelClass& pixel : pixels) {
-      EXPECT_LE(plan.growth(pixel), kMaxGrowth);
-      error += squaredErrorAfter(pixel, plan.growth(pixel)) / 5.0;
-      samples += std::exp2(pixel.sampleStep() + plan.growth(pixel));
-    }
-    EXPECT_LE(error, goal);
-    EXPECT_EQ(plan.samples(), samples);
-    double fewest = samples;
-    for (int code = 0; code < std::pow(kMaxGrowth + 1, 4); ++code) {
-      double otherError = 0.0;
-      double otherSamples = std::exp2(pixels[4].sampleStep());
-      for (int i = 0, rest = code; i < 4; ++i, rest /= kMaxGrowth + 1) {
-        otherError += squaredErrorAfter(pixels[i], rest % (kMaxGrowth + 1)) / 5.0;
-        otherSamples += std::exp2(pixels[i].sampleStep() + rest % (kMaxGrowth + 1));
-      }
-      if (otherError <= goal) fewest = std::min(fewest, otherSamples);
-    }
-    // Doublings are taken whole and in the order of what they gain: the last one may be more than is needed.
-    EXPECT_LE(samples, 2.0 * fewest);
-    plans += samples == fewest ? 1 : 0;
-  }
-  EXPECT_GE(plans, 5);
-}
-
-TEST(SampleAllocation, DoesNothingAtItsGoalAndNoMoreThanAllowed) {
-  const std::vector<PixelClass> pixels(10, PixelClass(0.01F, 2, 3));
-  const SampleAllocation idle(pixels, 0.02, 20);
-  EXPECT_EQ(idle.growth(pixels[0]), 0);
-  EXPECT_EQ(idle.samples(), 80.0);
-  EXPECT_NEAR(idle.squaredError(), 0.01, 0.00126);
-  EXPECT_EQ(SampleAllocation(pixels, 1e-9, 5).growth(pixels[0]), 2);
-  EXPECT_EQ(SampleAllocation(pixels, 1e-9, 2).growth(pixels[0]), 0);
-}
 
 gpu::WorkResult blackOrWhite(const gpu::WorkItem& item, double probabilityOfWhite, std::mt19937& random) {
   std::binomial_distribution<unsigned> hits(item.count, probabilityOfWhite);
@@ -186,7 +122,8 @@ double estimatedOverTrue(int samples, bool isStratified, const Value& value) {
   estimate.markAll();
   estimate.update(sums);
   double estimated = 0.0;
-  for (const PixelClass& pixel : estimate.classes()) estimated += pixel.squaredError();
+  const PictureScale scale = estimate.scale(sums, Discoveries());
+  for (const PixelClass& pixel : estimate.classes()) estimated += scale.squaredError(pixel);
   return std::sqrt(estimated / squares);
 }
 
