@@ -32,7 +32,7 @@ DeviceTuning::DeviceTuning(const TuningChoice& choice, vulkan::Device& device)
 
 void DeviceTuning::prepareFor(std::uint32_t lights, const RenderSettings& settings, Progress& progress) {
   const bool isKnown = choice_.kind != TuningChoice::Kind::kAuto || !times_.empty();
-  if (isKnown || !isWorthMeasuring(isCpu(), lights, settings)) return;
+  if (isKnown || !isWorthMeasuring(isCpu(), lights, settings) || !canKeepTunings()) return;
   progress.begin("measuring the device");
   measure();
   progress.end();

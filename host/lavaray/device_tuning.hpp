@@ -24,7 +24,7 @@ class DeviceTuning {
   // Looks for what was measured before, or measures if that is asked for.
   DeviceTuning(const TuningChoice& choice, vulkan::Device& device);
 
-  // Measures first, if that was never done and the render is worth it.
+  // Measures first, if that was never done, the render is worth it and later ones will gain, too.
   void prepareFor(std::uint32_t lights, const RenderSettings& settings, Progress& progress);
   [[nodiscard]] Tuning get() const;
   // For the user: what is chosen, and why.

@@ -1,5 +1,7 @@
 #include "lavaray/tuning_file.hpp"
 
+#include <unistd.h>
+
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -79,6 +81,14 @@ std::optional<Tuning> tuningNamed(const std::string& name) {
   return std::nullopt;
 }
 
+bool canKeepTunings() {
+  const fs::path folder = cacheFolder();
+  if (folder.empty()) return false;
+  std::error_code ignored;  // then it cannot be written to
+  fs::create_directories(folder, ignored);
+  return access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
 std::vector<TuningTime> readTuningFile(const vulkan::DeviceDescription& device) {
   std::ifstream file(tuningFile(device));
   std::string line;
@@ -95,8 +105,7 @@ std::vector<TuningTime> readTuningFile(const vulkan::DeviceDescription& device) 
 void writeTuningFile(const vulkan::DeviceDescription& device, std::span<const TuningTime> times) {
   const fs::path name = tuningFile(device);
   if (name.empty()) throw Error(ExitCode::kOutput, "neither XDG_CACHE_HOME nor HOME names a folder");
-  std::error_code ignored;  // the file tells
-  fs::create_directories(name.parent_path(), ignored);
+  (void)canKeepTunings();  // if not, the file tells
   OutputFile file({.option = "the tuning", .file = name});
   std::ostringstream text;
   text.imbue(std::locale::classic());

@@ -16,6 +16,8 @@ std::string sceneReadAs(bool inStorage);
 std::string tuningName(const Tuning& tuning);
 std::optional<Tuning> tuningNamed(const std::string& name);
 
+// Whether there is a folder for such files that can be written to. Makes it where it is missing.
+bool canKeepTunings();
 // What was measured on the device, with the same driver and by the same version of this program; empty if
 // nothing was, or it cannot be read.
 std::vector<TuningTime> readTuningFile(const vulkan::DeviceDescription& device);

@@ -80,10 +80,23 @@ def check_measured():
         check(tuning(render()).endswith("none was measured on this device"), f"what does not fit is not taken: {spoilt}")
 
 
+LONG = ("--spp", "64", "--time-limit", "0.01")  # by the number of its rays
+
+
+def check_long_render():
+    for file in kept_files():
+        file.unlink()
+    said = tuning(render(*LONG, size=1600))
+    check("measured on this device: " in said, f"it is measured before a long render: {said}")
+    check(tuning(render()) == said, "and kept for others")
+
+
 def check_without_folder():
-    """A run neither fails nor warns where nothing can be kept."""
+    """A run neither fails nor warns where nothing can be kept, and measures on request only."""
     (scratch / "no-folder").write_text("a file")
     for variables in ({"XDG_CACHE_HOME": str(scratch / "no-folder")}, {"XDG_CACHE_HOME": "", "HOME": ""}):
+        check(tuning(render(*LONG, size=1600, **variables)).endswith("none was measured on this device"),
+              f"nothing is measured for one long render: {variables}")
         said = render("--tuning", "measure", **variables)
         check("not kept: " in tuning(said) and "warning" not in said, f"{variables}: {said}")
 
@@ -93,5 +106,6 @@ for old in kept_files():
 check_choices()
 check_bits()
 check_measured()
+check_long_render()
 check_without_folder()
 finish()
