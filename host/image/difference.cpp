@@ -51,7 +51,7 @@ double rootMean(double squares, std::size_t values) {
 
 }  // namespace
 
-double ChannelDifference::psnr() const {
+double psnr(double rmse) {
   return rmse > 0.0 ? -20.0 * std::log10(rmse) : std::numeric_limits<double>::infinity();
 }
 

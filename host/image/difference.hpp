@@ -4,33 +4,17 @@
 #include <cstddef>
 #include <vector>
 
+#include <lavaray/statistics.h>
+
 #include "image/image.hpp"
 
 namespace lavaray {
 
-// How far the finite values of some channels are apart.
-struct ChannelDifference {
-  std::size_t differing = 0;  // pixels that are off by more than the tolerance
-  double largest = 0.0;       // at pixel (x, y)
-  int x = 0;
-  int y = 0;
-  double rmse = 0.0;
-  [[nodiscard]] double psnr() const;  // in dB, for a peak of 1; infinite for equal values
-};
+using v0::ChannelDifference;
+using v0::Difference;
 
-// How two images of the same size differ. A pixel that is finite in both counts towards the figures of its
-// channels. Of any other it only matters whether both have the same values there; all NaNs count as the same.
-struct Difference {
-  std::size_t pixels = 0;
-  std::size_t differing = 0;  // pixels with a channel, or alpha, off by more than the tolerance, or unlike
-  std::size_t finite = 0;     // pixels that are finite in both
-  // Other pixels, whose values are not the same in both; the first is at (unlikeX, unlikeY).
-  std::size_t unlike = 0;
-  int unlikeX = 0;
-  int unlikeY = 0;
-  ChannelDifference color;
-  ChannelDifference alpha;  // of an image without alpha it is 1
-};
+// Peak signal-to-noise ratio in dB, for a peak of 1; infinite for equal values.
+double psnr(double rmse);
 
 Difference compare(const Image& image, const Image& reference, double tolerance);
 

@@ -1,9 +1,8 @@
-#include "library/difference.hpp"
-
 #include <lavaray/image.h>
 
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
+#include "image/difference.hpp"
 #include "image/flip.hpp"
 #include "image/mean_flip.hpp"
 #include "library/check_image.hpp"
@@ -16,22 +15,7 @@ std::string sizeText(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-v0::ChannelDifference publicChannels(const ChannelDifference& channels) {
-  return {channels.differing, channels.largest, channels.x, channels.y, channels.rmse};
-}
-
 }  // namespace
-
-v0::Difference publicDifference(const Difference& found) {
-  return {found.pixels,
-          found.differing,
-          found.finite,
-          found.unlike,
-          found.unlikeX,
-          found.unlikeY,
-          publicChannels(found.color),
-          publicChannels(found.alpha)};
-}
 
 void checkValues(const Image& image) {
   const bool hasSides = image.width > 0 && image.height > 0;
@@ -57,14 +41,12 @@ namespace v0 {
 Difference compare(const Image& image, const Image& reference, double tolerance) {
   return guarded([&] {
     checkSameSize(image, reference);
-    return publicDifference(lavaray::compare(image, reference, tolerance));
+    return lavaray::compare(image, reference, tolerance);
   });
 }
 
 double psnr(double rmse) {
-  lavaray::ChannelDifference channels;
-  channels.rmse = rmse;
-  return channels.psnr();
+  return lavaray::psnr(rmse);
 }
 
 Image differencePicture(const Image& image, const Image& reference) {

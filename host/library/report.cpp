@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "base/errors.hpp"
-#include "library/difference.hpp"
 #include "library/guarded.hpp"
 #include "library/version.hpp"
 #include "report/page.hpp"
@@ -19,15 +18,9 @@ ComparedPair comparePair(const ImagePair& pair) {
     const auto details =
         std::make_shared<ComparedPair::Details>(ComparedPair::Details{lavaray::comparePair(pair)});
     const auto found = [](const std::optional<Image>& image) { return image ? &*image : nullptr; };
-    return ComparedPair{details->pair,
-                        details->verdict,
-                        details->problem,
-                        found(details->image),
-                        found(details->reference),
-                        details->comparedAs,
-                        publicDifference(details->difference),
-                        details->seen.mean,
-                        details};
+    return ComparedPair{details->pair,         details->verdict,          details->problem,
+                        found(details->image), found(details->reference), details->comparedAs,
+                        details->difference,   details->seen.mean,        details};
   });
 }
 

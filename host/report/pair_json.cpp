@@ -88,7 +88,7 @@ Json differenceJson(const ComparedPair& compared) {
                {"unlikeX", difference.unlikeX},
                {"unlikeY", difference.unlikeY},
                {"rmse", difference.color.rmse},
-               {"psnr", difference.color.psnr()},
+               {"psnr", psnr(difference.color.rmse)},
                {"meanFlip", compared.seen.mean},
                {"color", channelJson(difference.color)},
                {"histogram", histogramJson(compared.histogram)}};
