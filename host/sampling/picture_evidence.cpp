@@ -1,6 +1,7 @@
 #include "sampling/picture_evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -20,6 +21,14 @@ constexpr double kMostFall = 0.5;  // of independent samples
 // far from each other.
 constexpr int kRoughRateStep = convergence::rateStepOf(2.0);
 
+// By rate step, what a doubling multiplies the squared error by. A table, as every pixel of each pass asks.
+const std::array<double, convergence::kRateSteps> kFallAtRate = [] {
+  std::array<double, convergence::kRateSteps> falls{};
+  for (int step = 0; step < convergence::kRateSteps; ++step)
+    falls[static_cast<std::size_t>(step)] = std::exp2(-convergence::rateAt(step));
+  return falls;
+}();
+
 double total(const Discoveries::Sums& sums) {
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
@@ -37,7 +46,7 @@ void PictureEvidence::add(PixelClass pixel, double squaredDifference, double for
     former_[step] += formerDifference;
     formerSquares_ += formerDifference * formerDifference;
   } else if (pixel.rateStep() > kRoughRateStep) {
-    const double ownFall = std::exp2(-convergence::rateAt(pixel.rateStep()));
+    const double ownFall = kFallAtRate[static_cast<std::size_t>(pixel.rateStep())];
     leftOfSmooth_[step] += squaredDifference * ownFall / (1.0 - ownFall);
   } else {
     single_[step] += squaredDifference;
