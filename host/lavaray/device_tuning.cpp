@@ -2,8 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <string_view>
-#include <utility>
 
 #include "base/errors.hpp"
 #include "lavaray/tuning_file.hpp"

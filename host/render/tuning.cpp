@@ -1,7 +1,6 @@
 #include "render/tuning.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,6 +18,9 @@ constexpr int kStacks = 64;
 constexpr int kSideOnCpu = 256;
 constexpr int kSideOnGpu = 2048;
 constexpr int kRounds = 3;
+// Rays of a render for which it is worth measuring: some 10 seconds on two cores; not yet tried on a GPU.
+constexpr double kRaysWorthMeasuringOnCpu = 1e8;
+constexpr double kRaysWorthMeasuringOnGpu = 1e10;
 // What is less than so much faster may be noise.
 constexpr double kClearly = 0.95;
 
@@ -96,8 +98,8 @@ Tuning usualTuning(bool isCpu) {
 }
 
 bool isWorthMeasuring(bool isCpu, std::uint32_t lights, const RenderSettings& settings) {
-  // Some 10 seconds, and some on a GPU.
-  return settings.shader.empty() && estimatedRays(lights, settings) >= (isCpu ? 1e8 : 1e10);
+  const double enough = isCpu ? kRaysWorthMeasuringOnCpu : kRaysWorthMeasuringOnGpu;
+  return settings.shader.empty() && estimatedRays(lights, settings) >= enough;
 }
 
 std::vector<TuningTime> measureTunings(vulkan::Device& device) {

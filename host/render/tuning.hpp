@@ -14,14 +14,17 @@ struct TuningTime {
   double seconds;
 };
 
-// What suits most devices of a kind, as far as known: lavapipe up to Mesa 25, and no GPU better than another.
+// What suits most devices of a kind, as far as known: lavapipe of Mesa 22.3 to 26.2 (docs/drivers.md), and a
+// GPU no better than another way.
 Tuning usualTuning(bool isCpu);
 
-// Whether a render has so much to trace that it gains, on whatever device, more than measureTunings() takes.
+// Whether a render has so much to trace that it may gain as much as measureTunings() takes, and later ones
+// more.
 bool isWorthMeasuring(bool isCpu, std::uint32_t lights, const RenderSettings& settings);
 
 // Traces a test picture of some milliseconds several times in each way that may be the fastest. The first is
-// the usual one. Most of the second that it takes, the driver compiles. Throws Error(kDevice).
+// the usual one. It takes some seconds, in most of which the
+// driver compiles. Throws Error(kDevice).
 std::vector<TuningTime> measureTunings(vulkan::Device& device);
 
 // The fastest of at least one; the first, unless another one is clearly faster.
