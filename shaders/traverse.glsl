@@ -61,7 +61,9 @@ bool traverseTogether(const bool anyHit, Packet packet, Approach approach, inout
         }
       } while (i < end);
       isCut = isCut || i != end;
-      over = isCut || reference == kNoReference || (anyHit && farthest(hits) == kNoRay);
+      // Also at a leaf: the next turn would do nothing, and so would all others.
+      over = isCut || reference == kNoReference || steps >= kMaxTraversalSteps ||
+             (anyHit && farthest(hits) == kNoRay);
     }
   } while (!over);
   return !isCut && (stack.entries[0] == 0u || (anyHit && farthest(hits) == kNoRay));
