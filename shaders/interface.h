@@ -55,6 +55,9 @@ const uint kMaxShadowRaysPerDispatch = 256u;
 // The most samples of its pixel that a work item takes. They are summed in float32, so they are few enough
 // for the sum to lose nothing that an image shows; the host adds the sums of work items without rounding.
 const uint kMaxSamplesPerItem = 4u;
+// The fewest where samples follow a target error. Items that have no more share an invocation's rays (see
+// lane_turns.glsl).
+const uint kMinSamplesPerItem = 2u;
 
 // The directions in which a sample looks at a spherical light where its colour may exceed 1. The light's term
 // is a mean over directions, clamped afterwards. Below 1 that equals the mean over samples of one direction

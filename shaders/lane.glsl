@@ -3,6 +3,8 @@
 // Where each pixel has one sample in its centre, that is a block of pixels, a ray for each. Neighbouring
 // pixels see much the same, so the lanes that a device runs together take neighbouring blocks, in units of
 // kLanesPerUnit lanes. Units are counted row by row, those of the first row of units first.
+//
+// Elsewhere it is work items (see lane_turns.glsl).
 #ifndef LANE_GLSL
 #define LANE_GLSL
 
@@ -24,35 +26,29 @@ uvec2 pixelOfRay(uint lane, uint ray, uint areaWidth, uint firstRow) {
   return uvec2(x + ray % kBlockWidth, y + ray / kBlockWidth);
 }
 
+// Pixels in whose centres the lane takes a sample, one for each ray, or its work items: each has a sum.
 struct LaneWork {
   uvec2 pixels[kRaysPerLane];  // of the traced area
-  uint items[kRaysPerLane];    // those that the rays belong to
-  bool isThere[kRaysPerLane];
-  uint first;  // sample
-  uint count;  // of samples
+  uint items[kRaysPerLane];
+  uint first[kRaysPerLane];  // sample
+  uint count[kRaysPerLane];  // of samples; 0 where there is no such pixel or item
 };
 
 // The pixels of the area from number `firstPixel` on, `count` of them.
 void takePixels(uint lane, uint areaWidth, uint firstPixel, uint count, out LaneWork result) {
-  result.first = 0u;
-  result.count = 1u;
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     const uvec2 pixel = pixelOfRay(lane, r, areaWidth, firstPixel / areaWidth);
     result.pixels[r] = pixel;
     result.items[r] = pixel.y * areaWidth + pixel.x - firstPixel;  // wraps for one before the first
-    result.isThere[r] = pixel.x < areaWidth && result.items[r] < count;
+    result.first[r] = 0u;
+    result.count[r] = pixel.x < areaWidth && result.items[r] < count ? 1u : 0u;
   }
 }
 
-// The samples of one work item, which all rays take.
-void takeItem(uint lane, uint areaWidth, WorkItem item, bool isThere, out LaneWork result) {
-  result.first = item.first;
-  result.count = item.count;
-  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-    result.pixels[r] = uvec2(item.pixel % areaWidth, item.pixel / areaWidth);
-    result.items[r] = lane;
-    result.isThere[r] = isThere;
-  }
+uint mostSamples(LaneWork lane) {
+  uint most = 0u;
+  [[unroll]] for (uint i = 0u; i < kRaysPerLane; ++i) most = max(most, lane.count[i]);
+  return most;
 }
 
 #endif

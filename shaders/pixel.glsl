@@ -27,7 +27,7 @@ struct Pixel {
 Pixel thisPixel() {
   LaneWork lane;
   takePixels(gl_GlobalInvocationID.x, constants.areaWidth, constants.firstPixel, constants.itemCount, lane);
-  return Pixel(lane.isThere[0], lane.pixels[0] + uvec2(constants.areaX, constants.areaY), lane.items[0]);
+  return Pixel(lane.count[0] > 0u, lane.pixels[0] + uvec2(constants.areaX, constants.areaY), lane.items[0]);
 }
 
 // The camera ray through a position in the picture, in pixels; a pixel's centre is position + 0.5.

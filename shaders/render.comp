@@ -9,7 +9,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "camera.glsl"
-#include "lane.glsl"
+#include "lane_turns.glsl"
 #include "path.glsl"
 #include "status.glsl"
 #include "work_state.glsl"
@@ -40,49 +40,58 @@ Ray sampleRay(uvec2 pixel, uint index, uint seed) {
   return cameraRay(position, constants.halfImage, constants.focalLength);
 }
 
-// The packed group at which the pixel's camera rays enter the hierarchy.
-uint entryGroup(uvec2 pixelInArea) {
+// The packed group at which a packet's camera rays enter the hierarchy: through two pixels at most, or
+// through a block of them, which lies in one tile.
+uint entryGroup(uvec2 first, uvec2 last) {
   if (!kHasEntryNodes) return kRootGroup;
-  const uvec2 tile = pixelInArea >> constants.tileShift;
+  const uvec2 tile = first >> constants.tileShift;
+  if (tile != last >> constants.tileShift) return kRootGroup;
   return fetchEntryNode(tile.y * constants.tilesAcross + tile.x);
 }
 
 void takeWork(uint lane, out LaneWork result) {
   if (kSampling == kSamplingCenter) {
     takePixels(lane, constants.areaWidth, constants.firstPixel, constants.itemCount, result);
-  } else {
-    const uint item = min(lane, constants.itemCount - 1u);
-    takeItem(lane, constants.areaWidth, work[item], lane < constants.itemCount, result);
+    return;
+  }
+  [[unroll]] for (uint i = 0u; i < kRaysPerLane; ++i) {
+    const uint index = lane * kItemsPerLane + i;
+    const bool isThere = i < kItemsPerLane && index < constants.itemCount;
+    const WorkItem item = work[isThere ? index : 0u];
+    result.pixels[i] = uvec2(item.pixel % constants.areaWidth, item.pixel / constants.areaWidth);
+    result.items[i] = index;
+    result.first[i] = item.first;
+    result.count[i] = isThere ? item.count : 0u;
   }
 }
 
-// Takes a sample with each ray, where there is one, `taken` samples into its item. Returns false where they
-// could not be finished.
-bool takeSamples(LaneWork lane, uint entry, uint taken, inout WorkState states[kRaysPerLane],
-                 inout PathState path, inout RayCounts counts) {
+// Takes a sample with each ray, where there is one. Returns false where they could not be finished.
+bool takeSamples(LaneWork lane, uint turn, inout WorkState states[kRaysPerLane], inout PathState path,
+                 inout RayCounts counts) {
+  RayWork works[kRaysPerLane];
   Ray rays[kRaysPerLane];
   bool isThere[kRaysPerLane];
   PathSettings settings[kRaysPerLane];
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-    const uvec2 pixel = lane.pixels[r] + uvec2(constants.areaX, constants.areaY);
+    const RayWork ofRay = workOfRay(lane, r, turn);
+    const uvec2 pixel = ofRay.pixel + uvec2(constants.areaX, constants.areaY);
     // The 0 keeps the samples where they have always been.
     const uint seed = hashCombine(hashCombine(hashCombine(constants.seed, pixel.x), pixel.y), 0u);
     const uint pixelSeed = hashCombine(seed, kUseOfPixel);
-    const uint index = kSampling == kSamplingCenter ? 0u : lane.first + taken + r;
-    isThere[r] = lane.isThere[r] && (kSampling == kSamplingCenter || taken + r < lane.count);
-    settings[r] = PathSettings(constants.maxDepth, index, seed, shuffledIndex(index, pixelSeed));
-    rays[r] = sampleRay(pixel, settings[r].shuffledIndex, pixelSeed);
+    const uint shuffled = shuffledIndex(ofRay.sampled, pixelSeed);
+    works[r] = ofRay;
+    isThere[r] = ofRay.isThere;
+    settings[r] = PathSettings(constants.maxDepth, ofRay.sampled, seed, shuffled);
+    rays[r] = sampleRay(pixel, shuffled, pixelSeed);
   }
+  const uint entry = entryGroup(works[0].pixel, works[kRaysPerLane - 1u].pixel);
   if (!tracePaths(rays, isThere, entry, settings, path, counts)) return false;
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
     vec3 color = path.color[r];
     if (kView == kViewCost) color = vec3(path.tests);
     if (kView != kViewCost && kView != kViewDepth && !kAsData) color = displayed(color);
-    if (kSampling == kSamplingCenter) {
-      addSample(color, isThere[r], states[r]);
-    } else {
-      addSample(color, isThere[r], states[0]);
-    }
+    [[unroll]] for (uint i = 0u; i < kRaysPerLane; ++i)
+      addSample(color, isThere[r] && works[r].sum == i, states[i]);
   }
   clear(path);
   return true;
@@ -92,22 +101,22 @@ bool takeSamples(LaneWork lane, uint entry, uint taken, inout WorkState states[k
 // loop has the form of tracePaths's, for the same reasons.
 bool takeAllSamples(LaneWork lane, inout WorkState states[kRaysPerLane], inout PathState path,
                     inout RayCounts counts) {
-  const uint entry = entryGroup(lane.pixels[0]);
+  const uint turns = turnsOf(lane);
+  uint turn = states[0].taken;  // where it is not 0, of a single ray
   bool finished = false;
-  uint i = states[0].taken;
   do {
-    if (i < lane.count) {  // always true: see traverse
-      finished = takeSamples(lane, entry, i, states, path, counts);
-      i += kRaysPerLane;
+    if (turn < turns) {  // always true: see traverse
+      finished = takeSamples(lane, turn, states, path, counts);
+      ++turn;
     }
-  } while (kSampling != kSamplingCenter && finished && i < lane.count);
-  return kSampling == kSamplingCenter ? finished : states[0].taken == lane.count;
+  } while (kSampling != kSamplingCenter && finished && turn < turns);
+  return areTaken(lane, states);
 }
 
 void main() {
   LaneWork lane;
   takeWork(gl_GlobalInvocationID.x, lane);
-  if (!anyOf(lane.isThere)) return;
+  if (mostSamples(lane) == 0u) return;
   WorkState states[kRaysPerLane];
   [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) states[r] = newWork();
   PathState path;
@@ -132,8 +141,8 @@ void main() {
     if (sameProgress(states[0], before)) atomicAdd(status.stuck, 1u);
     unfinishedItems[only] = states[0];
   }
-  [[unroll]] for (uint r = 0u; r < kRaysPerLane; ++r) {
-    if (lane.isThere[r] && (r == 0u || kSampling == kSamplingCenter))
-      results[lane.items[r]] = WorkResult(states[r].sum, finished ? states[r].squares : kSquaresUnfinished);
+  [[unroll]] for (uint i = 0u; i < kRaysPerLane; ++i) {
+    if (lane.count[i] > 0u)
+      results[lane.items[i]] = WorkResult(states[i].sum, finished ? states[i].squares : kSquaresUnfinished);
   }
 }

@@ -199,7 +199,8 @@ void Tracer::makeShader(Batch& batch, bool resumable) {
 
 // How many invocations a batch takes.
 std::uint32_t Tracer::lanes(const Batch& batch, std::uint32_t raysPerLane) const {
-  if (!takesCenters_) return batch.traced;
+  const std::uint32_t itemsPerLane = std::max(raysPerLane / gpu::kMinSamplesPerItem, 1U);
+  if (!takesCenters_) return (batch.traced + itemsPerLane - 1) / itemsPerLane;
   const auto first = static_cast<std::uint32_t>(batch.first);
   const std::uint32_t firstRow = first / constants_.areaWidth / raysPerLane;
   const std::uint32_t lastRow = (first + batch.count - 1) / constants_.areaWidth / raysPerLane;

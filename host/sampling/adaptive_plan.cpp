@@ -16,7 +16,7 @@ constexpr int kMaxGrowth = 1;
 // All samples of a render over those it begins with, as long as nothing is known of the image; for progress.
 constexpr double kUsualGrowth = 4.0;
 // Samples of a pixel to begin with.
-constexpr std::uint32_t kFirstSamples = 2;
+constexpr std::uint32_t kFirstSamples = gpu::kMinSamplesPerItem;
 
 // The same where there is an object that so few could miss; the lower the target, the more a missed one
 // matters.

@@ -36,26 +36,33 @@ void expectSameBitsFromStorage(const Scene& scene, RenderSettings settings, cons
   EXPECT_EQ(fromTexels.rgb, renderScene(scene, settings).image.rgb) << what << ", from storage buffers";
 }
 
-// Odd sizes leave blocks of pixels incomplete at both ends.
+void expectSameBitsTogether(const Scene& scene, RenderSettings settings, const std::string& what) {
+  std::vector<float> single;
+  for (const std::uint32_t rays : {1U, 2U, 4U}) {
+    settings.raysPerLane = rays;
+    const RenderResult result = renderScene(scene, settings);
+    if (rays == 1) single = result.image.rgb;
+    const std::string which = what + ", " + std::to_string(rays) + " rays";
+    EXPECT_EQ(single, result.image.rgb) << which;
+    EXPECT_EQ(result.counts.givenUp, 0U) << which;
+  }
+}
+
+// Odd sizes leave blocks of pixels incomplete at both ends. A target error has work items of two samples and
+// of four, which share an invocation or do not.
 TEST(Specialization, RaysTracedTogetherChangeNoBitOfAnyScene) {
   for (const std::filesystem::path& file : allScenes()) {
     const Scene scene = readScene(file);
+    const std::string name = file.filename().string();
     RenderSettings settings;
     settings.size = reducedSize(scene.camera, 75);
     settings.crop = {1, 2, settings.size.width, settings.size.height - 1};
     for (const std::uint32_t samples : {1U, 2U, 7U}) {
       settings.samples = samples;
-      std::vector<float> single;
-      for (const std::uint32_t rays : {1U, 2U, 4U}) {
-        settings.raysPerLane = rays;
-        const RenderResult result = renderScene(scene, settings);
-        if (rays == 1) single = result.image.rgb;
-        const std::string what = file.filename().string() + ", " + std::to_string(rays) + " rays, " +
-                                 std::to_string(samples) + " samples";
-        EXPECT_EQ(single, result.image.rgb) << what;
-        EXPECT_EQ(result.counts.givenUp, 0U) << what;
-      }
+      expectSameBitsTogether(scene, settings, name + ", " + std::to_string(samples) + " samples");
     }
+    settings.targetError = 0.01;
+    expectSameBitsTogether(scene, settings, name + ", to a target error");
   }
 }
 
