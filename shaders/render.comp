@@ -91,7 +91,7 @@ bool takeSamples(LaneWork lane, uint turn, inout WorkState states[kRaysPerLane],
     if (kView == kViewCost) color = vec3(path.tests);
     if (kView != kViewCost && kView != kViewDepth && !kAsData) color = displayed(color);
     [[unroll]] for (uint i = 0u; i < kRaysPerLane; ++i)
-      addSample(color, isThere[r] && works[r].sum == i, states[i]);
+        addSample(color, isThere[r] && works[r].sum == i, states[i]);
   }
   clear(path);
   return true;

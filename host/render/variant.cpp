@@ -1,6 +1,7 @@
 #include "render/variant.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/scene_buffers.hpp"
 #include "render/tuning.hpp"
@@ -15,9 +16,14 @@
 namespace lavaray {
 namespace {
 
-// Estimated rays of a render from which on invocations trace two and four of them together.
-constexpr double kRaysWorthTwo = 2e6;
-constexpr double kRaysWorthFour = 5e6;
+// What a driver takes longer, in seconds, to read the module of two rays than that of one, and that of four
+// than that of two, be it only to find that it has compiled it before. And what that saves: with two, for
+// each ray and each doubling of the number of primitives; with four, for each ray again. As measured with
+// lavapipe (tools/bench_speed/traversal.md).
+constexpr double kSecondsForTwo = 0.08;
+constexpr double kSecondsForFour = 0.16;
+constexpr double kSavedByTwo = 4e-9;
+constexpr double kSavedByFour = 16e-9;
 
 bool isTraversed(const SceneFeatures& scene) {
   return scene.primitiveCount > 0 && !scene.hasFewPrimitives;
@@ -31,9 +37,10 @@ bool readsStorage(const RenderSettings& settings, vulkan::BufferUse sceneUse, co
          (tuning.sceneInStorage && isTraversed(scene));
 }
 
-// Samples of a pixel, roughly where they follow a target error.
-std::uint32_t samplesOf(const RenderSettings& settings) {
-  if (settings.targetError) return std::min(settings.maxSamples, 16U);
+// Samples of a pixel, very roughly where they follow a target error.
+double samplesOf(const RenderSettings& settings) {
+  if (settings.targetError)
+    return std::clamp(0.03 / *settings.targetError, 2.0, static_cast<double>(settings.maxSamples));
   return sampleRange(settings).end - sampleRange(settings).first;
 }
 
@@ -106,19 +113,12 @@ Expectation finishesItems(const PipelineVariant& variant, const SceneFeatures& s
   return usual <= gpu::kMaxShadowRaysPerDispatch ? Expectation::kLikely : Expectation::kNo;
 }
 
-// The more rays, the faster; but the longer a driver compiles, be it only to find that it has done so before
-// (tools/bench_speed/traversal.md). Rays search a hierarchy together, and only a single ray's tests are
-// counted, only a single path is resumed.
-std::uint32_t raysPerLane(const PipelineVariant& variant, const SceneFeatures& scene,
-                          const RenderSettings& settings, const Tuning& tuning) {
-  if (!isTraversed(scene) || variant.finishesItems == Expectation::kNo || !settings.shader.empty() ||
-      settings.view == View::kCost)
-    return 1;
-  if (settings.raysPerLane) return *settings.raysPerLane;
-  const double rays = estimatedRays(variant.lights, settings);
-  if (rays < kRaysWorthTwo) return 1;
-  const std::uint32_t worth = rays < kRaysWorthFour || samplesOf(settings) == 2 ? 2 : 4;
-  return std::min(worth, tuning.raysPerLane);
+// Rays search a hierarchy together, and only a single ray's tests are counted, only a single path is resumed.
+std::uint32_t mostRaysPerLane(const PipelineVariant& variant, const SceneFeatures& scene,
+                              const RenderSettings& settings, const Tuning& tuning) {
+  const bool isPossible = isTraversed(scene) && variant.finishesItems != Expectation::kNo &&
+                          settings.shader.empty() && settings.view != View::kCost;
+  return isPossible ? settings.raysPerLane.value_or(tuning.raysPerLane) : 1;
 }
 
 // For more than one ray.
@@ -132,6 +132,19 @@ std::span<const std::uint32_t> moduleOf(std::uint32_t raysPerLane, bool inStorag
 }
 
 }  // namespace
+
+std::uint32_t worthRaysPerLane(const PipelineVariant& variant, double rays) {
+  std::uint32_t worth = 1;
+  const double doublings = std::log2(static_cast<double>(variant.primitives));
+  if (rays * doublings * kSavedByTwo >= kSecondsForTwo) worth = rays * kSavedByFour < kSecondsForFour ? 2 : 4;
+  return std::min(worth, variant.mostRaysPerLane);
+}
+
+void setRaysPerLane(std::uint32_t rays, PipelineVariant& variant) {
+  const bool inStorage = variant.sceneUse == vulkan::BufferUse::kStorage;
+  variant.raysPerLane = rays;
+  variant.shader = rays == 1 ? variant.resumable : moduleOf(rays, inStorage);
+}
 
 std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives) {
   if (!settings.shader.empty()) return settings.shader;
@@ -167,9 +180,11 @@ PipelineVariant chooseVariant(const vulkan::Device& device, const SceneFeatures&
   variant.skipsEmptyTiles = skipsEmptyTiles(scene, settings);
   if (settings.specialized) variant.finishesItems = finishesItems(variant, scene);
   variant.specialization[gpu::kSpecResumable] = variant.finishesItems == Expectation::kNo ? 1 : 0;
-  variant.raysPerLane = raysPerLane(variant, scene, settings, tuning);
   variant.resumable = inStorage ? renderFromStorageSpirv : shaderOf(settings, scene.hasFewPrimitives);
-  variant.shader = variant.raysPerLane == 1 ? variant.resumable : moduleOf(variant.raysPerLane, inStorage);
+  variant.primitives = scene.primitiveCount;
+  variant.mostRaysPerLane = mostRaysPerLane(variant, scene, settings, tuning);
+  const double rays = estimatedRays(variant.lights, settings);
+  setRaysPerLane(settings.raysPerLane ? variant.mostRaysPerLane : worthRaysPerLane(variant, rays), variant);
   return variant;
 }
 

@@ -55,7 +55,7 @@ def check_bits():
     """Of a picture that is large enough for rays to be traced together."""
     pictures = set()
     for way in WAYS:
-        render("--tuning", way, "--json", "report.json", size=1600)
+        render("--tuning", way, "--json", "report.json", size=2700)
         pictures.add((scratch / "picture.pfm").read_bytes())
         device = json.loads((scratch / "report.json").read_text())["device"]
         check(f"{device['sceneReadAs']},{device['raysPerInvocation']}" == way, f"the report tells of {way}: {device}")
