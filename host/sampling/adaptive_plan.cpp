@@ -47,6 +47,8 @@ constexpr std::size_t kFewSteps = 4;  // fewer than 16 samples
 constexpr double kShareLeft = 1.0 / 3.0;
 constexpr double kLeastExcess = 0.03;
 constexpr double kMostExcess = 0.15;
+// The last pass aims this share below the goal: several that each come a little closer cost more.
+constexpr double kLastMargin = 0.005;
 // A pixel whose error is below this many times the goal is not worth a better estimate.
 constexpr double kNegligibleError = 0.1;
 
@@ -96,8 +98,11 @@ void AdaptivePlan::resumeFrom(std::span<const HalfSums> sums, const Discoveries&
   hasStarted_ = true;
   discoveries_ = discoveries;
   estimate_.markAll();
-  for (const HalfSums& pixel : sums)
-    plannedSamples_ += kUsualGrowth * (pixel.halves[0].samples() + pixel.halves[1].samples());
+  for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) {
+    const HalfSums& ofPixel = sums[pixel];
+    plannedSamples_ += kUsualGrowth * (ofPixel.halves[0].samples() + ofPixel.halves[1].samples());
+    if (ofPixel.suspected > 0.0F) suspects_.push_back(pixel);
+  }
 }
 
 // Calls work(band, its pixels) for bands that follow one another, on several threads.
@@ -164,10 +169,12 @@ void AdaptivePlan::listGrowth(std::size_t end, std::span<HalfSums> sums, WorkLis
   };
   const std::size_t begin = bandEnds_.size();
   list(end, visitItems, items);
-  forBands(begin, end, [&](std::size_t /*band*/, const PixelRange& pixels) {
+  std::vector<std::vector<std::uint64_t>> suspects(end - begin);
+  forBands(begin, end, [&](std::size_t band, const PixelRange& pixels) {
     for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel) {
       if (allocation_->growth(classes[pixel]) == 0) continue;
       const bool isSuspected = classes[pixel].isSuspected();
+      if (isSuspected) suspects[band - begin].push_back(pixel);
       sums[pixel].suspected = isSuspected ? static_cast<float>(classes[pixel].squaredError()) : 0.0F;
       sums[pixel].formerDifference = isSuspected ? 0.0F : estimate_.squaredDifference(pixel);
       sums[pixel].halves[0].add(sums[pixel].halves[1]);
@@ -175,6 +182,7 @@ void AdaptivePlan::listGrowth(std::size_t end, std::span<HalfSums> sums, WorkLis
       estimate_.mark(pixel);
     }
   });
+  for (const auto& ofBand : suspects) suspects_.insert(suspects_.end(), ofBand.begin(), ofBand.end());
   if (end == bands_) allocation_.reset();
 }
 
@@ -192,12 +200,13 @@ void AdaptivePlan::advance(std::uint64_t items, std::span<const HalfSums> sums) 
 // In the order of the pixels, as sums of doubles depend on it.
 void AdaptivePlan::takeDiscoveries(std::span<HalfSums> sums) {
   const std::span<const PixelClass> classes = estimate_.classes();
-  for (std::uint64_t pixel = 0; pixel < pixels_; ++pixel) {
+  for (const std::uint64_t pixel : suspects_) {
     if (sums[pixel].suspected == 0.0F) continue;
     discoveries_.add(classes[pixel].sampleStep() - 1, double{sums[pixel].suspected},
                      double{estimate_.squaredDifference(pixel)});
     sums[pixel].suspected = 0.0F;
   }
+  suspects_.clear();
 }
 
 SamplePass AdaptivePlan::nextPass(std::span<HalfSums> sums) {
@@ -221,17 +230,16 @@ SamplePass AdaptivePlan::beginPass(std::span<HalfSums> sums, WorkList items) {
   scale_ = estimate_.scale(sums, discoveries_);
   if (isStratified_) scale_ = withSelection(scale_);
   allocation_.emplace(estimate_.classes(), scale_, goal_ * goal_, maxSampleStep_);
-  const double excess = std::sqrt(allocation_->squaredError()) / goal_ - 1.0;
-  if (excess > kLeastExcess) {
-    const double aim = goal_ * (1.0 + std::min(kShareLeft * excess, kMostExcess));
-    allocation_.emplace(estimate_.classes(), scale_, aim * aim, maxSampleStep_);
-  }
   estimatedError_ = std::sqrt(allocation_->squaredError());
   plannedSamples_ = allocation_->samples();
   if (reachedTarget()) {
     allocation_.reset();
     return {};
   }
+  const double excess = estimatedError_ / goal_ - 1.0;
+  const double aim =
+      excess > kLeastExcess ? 1.0 + std::min(kShareLeft * excess, kMostExcess) : 1.0 - kLastMargin;
+  allocation_.emplace(estimate_.classes(), scale_, aim * aim * goal_ * goal_, maxSampleStep_);
   while (items.size() <= pixels_ / kPassParts && allocation_)
     listGrowth(std::min(bandEnds_.size() + 1 + bands_ / kPassParts, bands_), sums, items);
   return listedPass(std::move(items));

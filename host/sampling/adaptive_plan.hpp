@@ -83,6 +83,7 @@ class AdaptivePlan {
   std::optional<SampleAllocation> allocation_;  // as long as bands are left to list
   std::vector<std::uint64_t> smallObjects_;
   bool isStratified_;
+  std::vector<std::uint64_t> suspects_;  // of the pass, in the order of the pixels
   Discoveries discoveries_;
   PictureScale scale_{};
   ErrorEstimate estimate_;
