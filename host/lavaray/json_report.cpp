@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/version.hpp"
-#include "lavaray/tuning_file.hpp"
+#include "library/tuning_file.hpp"
 
 namespace lavaray {
 namespace {

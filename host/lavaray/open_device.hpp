@@ -5,8 +5,9 @@
 #include <future>
 #include <memory>
 
-#include "lavaray/device_tuning.hpp"
+#include "lavaray/cache_folder.hpp"
 #include "lavaray/options.hpp"
+#include "library/device_tuning.hpp"
 #include "vulkan/device.hpp"
 
 namespace lavaray {
@@ -16,7 +17,7 @@ struct OpenDevice {
   explicit OpenDevice(const Options& options)
       : instance(options.validate ? onMessage() : vulkan::OnMessage()),
         device(vulkan::chooseDevice(instance, options.device)),
-        tuning(options.tuning, device) {}
+        tuning(tuningChoice(options.tuning).value(), cacheFolder(), device) {}
   vulkan::OnMessage onMessage() {
     return [this](const std::string& message) {
       ++validationMessages;

@@ -1,12 +1,13 @@
 #include "lavaray/option_table.hpp"
 
+#include <lavaray/device.h>
+
 #include <cstdint>
 #include <limits>
 
 #include "base/errors.hpp"
 #include "base/limits.hpp"
 #include "command_line/usage.hpp"
-#include "lavaray/device_tuning.hpp"
 
 namespace lavaray {
 namespace {
@@ -190,8 +191,8 @@ void addOtherOptions(CLI::App& app, Options& options) {
          "--device", options.device,
          "Vulkan device, by number or part of its name. Default: the best one (discrete, integrated, CPU)")
       ->type_name("N or NAME");
-  app.add_option_function<std::string>(
-         "--tuning", [&options](const std::string& text) { options.tuning = tuningChoice(text).value(); },
+  app.add_option(
+         "--tuning", options.tuning,
          "How the device reads a scene that is searched, and how many rays an invocation traces together at "
          "most, which changes no bit of a picture: auto takes what was measured on the device before, and "
          "measures it before a long render; measure does so now. The variable LAVARAY_TUNING says the same")
@@ -199,11 +200,11 @@ void addOtherOptions(CLI::App& app, Options& options) {
       ->envname("LAVARAY_TUNING")
       ->check(
           [](const std::string& text) {
-            return tuningChoice(text) ? std::string()
-                                      : "there is no tuning " + text + ", allowed are " + kTuningChoices;
+            return v0::isTuningWay(text) ? std::string()
+                                         : "there is no tuning " + text + ", allowed are " + v0::kTuningWays;
           },
-          kTuningChoices)
-      ->default_str("auto");
+          v0::kTuningWays)
+      ->capture_default_str();
   app.add_flag("--list-devices", options.listDevices, "List the Vulkan devices and exit");
   app.add_flag("--check", options.check,
                "Read the scene and its meshes, say what is in them, render nothing");

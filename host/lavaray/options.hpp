@@ -14,13 +14,6 @@
 
 namespace lavaray {
 
-// How --tuning has the way to trace chosen.
-struct TuningChoice {
-  enum class Kind { kAuto, kMeasure, kGiven };
-  Kind kind = Kind::kAuto;
-  Tuning given;
-};
-
 // The command line as it applies to one of its scenes, checked as far as possible without reading the scene.
 struct Options {
   std::filesystem::path scene;  // or "-" for standard input
@@ -37,7 +30,7 @@ struct Options {
   double reflect = 0.0;
   double lightRadius = 0.0;
   std::string device;
-  TuningChoice tuning;
+  std::string tuning = "auto";
   bool listDevices = false;
   bool check = false;
   bool validate = false;

@@ -173,9 +173,15 @@ OpenDevice& Session::openDevice() {
 
 // A render that is worth measuring for has no pipeline prepared, which would look at the tuning meanwhile.
 void Session::tune(OpenDevice& open, RenderSettings& settings) {
-  open.tuning.prepareFor(inputs_.gpuScene().lightCount, settings, progress_);
+  progress_.begin("measuring the device");
+  open.tuning.prepareFor(inputs_.gpuScene().lightCount, settings);
+  progress_.end();
   settings.tuning = open.tuning.get();
-  if (options_.verbose) std::cerr << "tuning: " << open.tuning.description() << '\n';
+  if (!options_.verbose) return;
+  std::cerr << "tuning: " << open.tuning.description();
+  if (options_.tuning == "measure" && cacheFolder().empty())
+    std::cerr << "; not kept: neither XDG_CACHE_HOME nor HOME names a folder";
+  std::cerr << '\n';
 }
 
 // Before the picture, so that an interrupted one has its layers.

@@ -3,7 +3,7 @@
 #include <iomanip>
 #include <string>
 
-#include "lavaray/tuning_file.hpp"
+#include "library/tuning_file.hpp"
 
 namespace lavaray {
 namespace {

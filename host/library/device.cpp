@@ -24,6 +24,12 @@ v0::DeviceInfo publicInfo(const vulkan::DeviceDescription& device) {
   return {device.name, device.kind, device.driver, device.usable, device.isCpu};
 }
 
+TuningChoice checkedChoice(const std::string& way) {
+  const std::optional<TuningChoice> choice = tuningChoice(way);
+  if (choice) return *choice;
+  throw Error(ExitCode::kUsage, "there is no tuning " + way + ", allowed are " + v0::kTuningWays);
+}
+
 }  // namespace
 
 std::shared_ptr<vulkan::Instance> sharedInstance(vulkan::OnMessage onMessage) {
@@ -40,11 +46,13 @@ std::shared_ptr<vulkan::Instance> sharedInstance(vulkan::OnMessage onMessage) {
 
 namespace v0 {
 
-Device::Device(const std::string& choice, std::function<void(const std::string&)> onMessage)
+Device::Device(const std::string& choice, std::function<void(const std::string&)> onMessage,
+               const TuningOptions& tuning)
     : state_(guarded([&] {
+        const TuningChoice way = checkedChoice(tuning.way);
         auto state = std::make_shared<State>();
-        state->opening = std::async(std::launch::async, [choice, onMessage] {
-          return std::make_shared<OpenDevice>(choice, onMessage);
+        state->opening = std::async(std::launch::async, [choice, onMessage, way, folder = tuning.folder] {
+          return std::make_shared<OpenDevice>(choice, onMessage, way, folder);
         });
         return state;
       })) {}
@@ -60,6 +68,14 @@ DeviceInfo Device::info() const {
 
 std::vector<std::string> Device::warnings() const {
   return guarded([&] { return state_->open().instance->warnings(); });
+}
+
+std::string Device::tuning() const {
+  return guarded([&] { return state_->open().tuning.description(); });
+}
+
+bool isTuningWay(const std::string& way) {
+  return tuningChoice(way).has_value();
 }
 
 DeviceList listDevices() {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "library/device_tuning.hpp"
 #include "vulkan/device.hpp"
 
 namespace lavaray {
@@ -16,10 +17,14 @@ std::shared_ptr<vulkan::Instance> sharedInstance(vulkan::OnMessage onMessage);
 
 // A device and the instance that it belongs to.
 struct OpenDevice {
-  OpenDevice(const std::string& choice, vulkan::OnMessage onMessage)
-      : instance(sharedInstance(std::move(onMessage))), device(vulkan::chooseDevice(*instance, choice)) {}
+  OpenDevice(const std::string& choice, vulkan::OnMessage onMessage, const TuningChoice& way,
+             const std::filesystem::path& tuningFolder)
+      : instance(sharedInstance(std::move(onMessage))),
+        device(vulkan::chooseDevice(*instance, choice)),
+        tuning(way, tuningFolder, device) {}
   std::shared_ptr<vulkan::Instance> instance;
   vulkan::Device device;
+  DeviceTuning tuning;
 };
 
 }  // namespace lavaray

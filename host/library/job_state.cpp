@@ -57,10 +57,12 @@ void RenderJob::State::buildHierarchy() {
 void RenderJob::State::prepare() {
   buildHierarchy();
   if (isPrepared) return;
-  (void)device.state().open();
+  OpenDevice& open = device.state().open();
   // Now: by the time that a film is written the files may have changed.
   if (options.keepsFilm) identity = describeIdentity(scene.state(), plan.settings);
   checkMemory(plan.settings, !needsWhole(options));
+  open.tuning.prepareFor(flat->lightCount, plan.settings);
+  plan.settings.tuning = open.tuning.get();
   isPrepared = true;
 }
 

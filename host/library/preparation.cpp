@@ -9,10 +9,12 @@ namespace lavaray {
 Preparation::Preparation(const v0::Device::State& device, const SceneFeatures& scene,
                          const RenderSettings& settings) {
   try {
-    thread_ = std::jthread([this, opening = device.opening, scene, settings] {
+    thread_ = std::jthread([this, opening = device.opening, scene, tuned = settings]() mutable {
       try {
-        vulkan::Device& opened = opening.get()->device;
-        if (!isDecided_.exchange(true)) preparePipeline(opened, scene, settings);
+        OpenDevice& opened = *opening.get();
+        if (isDecided_.exchange(true)) return;
+        tuned.tuning = opened.tuning.get();
+        preparePipeline(opened.device, scene, tuned);
       } catch (...) {
         // Whoever asks for the device or the pipeline learns of it.
       }

@@ -49,7 +49,9 @@ std::shared_ptr<const GpuScene> flattened(State& state) {
   const std::lock_guard lock(state.mutex);
   if (state.flat) return state.flat;
   if (state.former && sameGeometry(state.scene, state.former->scene)) {
-    auto flat = std::make_shared<GpuScene>(*state.former->flat);
+    const bool isOurs = state.former.use_count() == 1 && state.former->flat.use_count() == 1;
+    auto flat = isOurs ? std::const_pointer_cast<GpuScene>(state.former->flat)
+                       : std::make_shared<GpuScene>(*state.former->flat);
     flattenShading(state.scene, *flat);
     state.flat = std::move(flat);
   } else {
@@ -172,6 +174,8 @@ SceneSummary Scene::summary() const {
     summary.triangles = scene.triangles.size();
     summary.meshes = scene.meshObjects.size();
     summary.lights = scene.lights.size();
+    summary.sphericalLights = static_cast<std::size_t>(
+        std::ranges::count_if(scene.lights, [](const lavaray::Light& light) { return light.radius > 0.0; }));
     for (const MeshObject& object : scene.meshObjects)
       summary.meshTriangles += scene.meshes[object.mesh].triangles.size();
     for (const lavaray::Mesh& mesh : scene.meshes) {

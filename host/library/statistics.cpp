@@ -3,6 +3,7 @@
 #include "interface.h"
 #include "library/guarded.hpp"
 #include "library/job_state.hpp"
+#include "library/tuning_file.hpp"
 
 namespace lavaray::v0 {
 namespace {
@@ -39,10 +40,14 @@ Statistics statisticsOf(const RenderStatistics& render) {
   result.estimatedError = render.estimatedError;
   result.maxSamples = render.maxSamples;
   result.skippedPixels = render.skippedPixels;
-  result.rays = {render.counts.samples, render.counts.skippedSamples, render.counts.mirrorRays,
-                 render.counts.shadowRays, render.counts.skippedShadowRays};
+  result.rays = {render.counts.samples,           render.counts.skippedSamples,
+                 render.counts.mirrorRays,        render.counts.shadowRays,
+                 render.counts.skippedShadowRays, render.counts.nearestHitLanesInUse(),
+                 render.counts.shadowLanesInUse()};
   result.dispatches = render.counts.dispatches;
   result.deviceBytes = render.deviceBytes;
+  result.sceneReadAs = sceneReadAs(render.tuning.sceneInStorage);
+  result.raysPerInvocation = render.tuning.raysPerLane;
   result.activity = activityOf(render.activity);
   result.largestMeasure = render.largestMeasure;
   return result;

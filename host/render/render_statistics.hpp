@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <lavaray/statistics.h>
+#include <lavaray/types.h>
 
 #include "render/settings.hpp"
 #include "render/trace_counts.hpp"

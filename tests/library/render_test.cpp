@@ -151,6 +151,33 @@ TEST(LibraryRender, StatisticsCountRays) {
   EXPECT_GT(statistics.activity.seconds, 0.0);
 }
 
+// Many spheres, so that rays search the hierarchy.
+Scene searchedScene() {
+  Scene scene = objectScene();
+  for (int i = 0; i < 100; ++i) scene.add(Sphere{{0.2 * i - 10.0, 0.0, -3.0}, 0.3, {}});
+  return scene;
+}
+
+TEST(LibraryDevice, TuningIsTakenAndChangesNoBit) {
+  std::vector<float> usual;
+  for (const std::string way : {"auto", "texels,1", "storage,1"}) {
+    const Renderer tuned(Device({}, {}, {way, {}}));
+    RenderOptions options;
+    options.countRays = true;
+    const Picture picture = tuned.render(searchedScene(), options);
+    if (usual.empty()) usual = picture.image.rgb;
+    EXPECT_EQ(picture.image.rgb, usual) << way;
+    EXPECT_GT(picture.statistics.rays.nearestHitLanesInUse, 0.0) << way;
+    if (way == "auto") continue;
+    EXPECT_EQ(picture.statistics.sceneReadAs + ',' + std::to_string(picture.statistics.raysPerInvocation),
+              way);
+    EXPECT_EQ(tuned.device().tuning(), way + ", as asked for");
+  }
+  EXPECT_TRUE(isTuningWay("measure"));
+  EXPECT_FALSE(isTuningWay("storage,3"));
+  EXPECT_THROW(Device({}, {}, {"storage,3", {}}), Error);
+}
+
 TEST(LibraryDevice, OneThatIsNotThereIsAnError) {
   const Device device("no such device");
   try {

@@ -42,6 +42,16 @@ std::filesystem::path scratch() {
   return folder;
 }
 
+TEST(LibraryScene, SummaryTellsSphericalLights) {
+  Scene scene = objectScene();
+  Light point{{1, 2, 3}, {}, {1, 1, 1}, {}, {}};
+  scene.add(point);
+  EXPECT_EQ(scene.summary().lights, 2U);
+  EXPECT_EQ(scene.summary().sphericalLights, 1U);
+  scene.setDefaults({0.0, 0.25});
+  EXPECT_EQ(scene.summary().sphericalLights, 2U);
+}
+
 TEST(LibraryScene, ObjectsGiveThePictureOfTheirText) {
   EXPECT_EQ(rendered(objectScene()), rendered(Scene::parse(kText)));
 }

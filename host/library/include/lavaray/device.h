@@ -32,6 +32,19 @@ LAVARAY_API DeviceList listDevices();
 // What there is to know of each driver's manifest, a line each. Starts each driver in a process of its own.
 LAVARAY_API std::vector<std::string> describeDrivers();
 
+// How renders on a device trace. No way changes a bit of a picture.
+struct TuningOptions {
+  // How a scene that is searched is read: texels or storage; and how many rays an invocation traces together
+  // at most: texels,1 for example. `auto` takes what was measured on the device before, and measures before a
+  // long render where nothing was and it can be kept; `measure` does so now, which takes some seconds.
+  std::string way = "auto";
+  // Where what was measured on devices is kept; made where it is missing. Empty: it is not kept.
+  std::filesystem::path folder;
+};
+inline constexpr const char* kTuningWays =
+    "auto, measure, texels or storage, the latter two with ,1 ,2 or ,4 as well";
+LAVARAY_API bool isTuningWay(const std::string& way);
+
 // A device with the pipelines that renders on it have made. Copies stand for the same device, which closes
 // with the last of them. Several threads may render on one device at the same time.
 class LAVARAY_API Device {
@@ -40,8 +53,9 @@ class LAVARAY_API Device {
   // integrated, CPU. It is opened in a thread of its own while other work goes on. What needs the device
   // waits for it, and throws Error(kDevice), saying why, if it cannot be opened. With `onMessage` it runs
   // under the Khronos validation layer, whose complaints that gets, from any thread; a process has one such
-  // device at a time, and no other beside it.
-  explicit Device(const std::string& choice = {}, std::function<void(const std::string&)> onMessage = {});
+  // device at a time, and no other beside it. Throws Error(kUsage) if there is no such way to trace.
+  explicit Device(const std::string& choice = {}, std::function<void(const std::string&)> onMessage = {},
+                  const TuningOptions& tuning = {});
   ~Device();
   Device(const Device&);
   Device(Device&&) noexcept;
@@ -51,6 +65,7 @@ class LAVARAY_API Device {
   // These wait.
   DeviceInfo info() const;
   std::vector<std::string> warnings() const;  // of drivers that are broken and left out
+  std::string tuning() const;                 // the way that is taken now, and why, in words
 
   struct State;
   State& state() const { return *state_; }  // for the library's own use

@@ -30,14 +30,8 @@ struct SceneSummary {
   std::size_t meshes = 0;
   std::size_t meshTriangles = 0;  // of all meshes
   std::size_t lights = 0;
+  std::size_t sphericalLights = 0;     // of these: with a radius above 0
   std::vector<MeshSummary> meshFiles;  // each mesh once, however often the scene shows it
-};
-
-enum class StopReason {
-  kFinished,    // all samples are taken, or the target error is reached
-  kMaxSamples,  // every pixel that wants more samples has as many as allowed
-  kTimeLimit,
-  kInterrupted,
 };
 
 // The hierarchy over the scene's triangles and spheres, as built and as the device traverses it.
@@ -63,6 +57,10 @@ struct RayCounts {
   std::uint64_t mirror = 0;
   std::uint64_t shadow = 0;
   std::uint64_t skippedShadow = 0;  // their light would add nothing, or nothing that shows
+  // The share of the device's lanes that has something to do while their groups search the hierarchy, for
+  // nearest hits and for shadows; 0 where nothing is searched.
+  double nearestHitLanesInUse = 0.0;
+  double shadowLanesInUse = 0.0;
 };
 
 // Seconds since the device began with the first of the dispatches, by the host's clock.
@@ -92,6 +90,8 @@ struct Statistics {
   RayCounts rays;
   std::uint64_t dispatches = 0;
   std::size_t deviceBytes = 0;
+  std::string sceneReadAs;              // texels or storage; these two: see TuningOptions
+  std::uint32_t raysPerInvocation = 1;  // that are traced together
   DeviceActivity activity;
   double largestMeasure = 0.0;  // of a pixel, where the view is depth or cost: that is shown as 1
   HierarchyStatistics hierarchy;

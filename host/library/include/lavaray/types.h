@@ -136,6 +136,14 @@ struct SamplingOptions {
   std::optional<double> timeLimitSeconds;
 };
 
+// Why a render has ended.
+enum class StopReason {
+  kFinished,    // all samples are taken, or the target error is reached
+  kMaxSamples,  // every pixel that wants more samples has as many as allowed
+  kTimeLimit,
+  kInterrupted,
+};
+
 }  // namespace lavaray::v0
 
 #endif

@@ -1,44 +1,28 @@
-#include "lavaray/tuning_file.hpp"
+#include "library/tuning_file.hpp"
 
 #include <unistd.h>
 
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <locale>
 #include <sstream>
 #include <system_error>
 
-#include "base/errors.hpp"
 #include "base/output_file.hpp"
-#include "command_line/version.hpp"
+#include "library/version.hpp"
 
 namespace lavaray {
 namespace {
 
 namespace fs = std::filesystem;
 
-// By the XDG Base Directory Specification; empty if there is none.
-fs::path cacheFolder() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return fs::path(value == nullptr ? "" : value);
-  };
-  if (const fs::path folder = variable("XDG_CACHE_HOME"); folder.is_absolute()) return folder / "lavaray";
-  if (const fs::path home = variable("HOME"); home.is_absolute()) return home / ".cache" / "lavaray";
-  return {};
-}
-
 // What the times depend on: the first line of the file.
 std::string identity(const vulkan::DeviceDescription& device) {
   return "lavaray " + std::string(kVersion) + ", " + device.name + ", " + device.driver;
 }
 
-fs::path tuningFile(const vulkan::DeviceDescription& device) {
-  const fs::path folder = cacheFolder();
-  if (folder.empty()) return {};
+fs::path tuningFile(const fs::path& folder, const vulkan::DeviceDescription& device) {
   std::string name = "tuning";
   for (const char c : device.name + ' ' + device.driver) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
@@ -81,16 +65,16 @@ std::optional<Tuning> tuningNamed(const std::string& name) {
   return std::nullopt;
 }
 
-bool canKeepTunings() {
-  const fs::path folder = cacheFolder();
+bool canKeepTunings(const fs::path& folder) {
   if (folder.empty()) return false;
   std::error_code ignored;  // then it cannot be written to
   fs::create_directories(folder, ignored);
   return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-std::vector<TuningTime> readTuningFile(const vulkan::DeviceDescription& device) {
-  std::ifstream file(tuningFile(device));
+std::vector<TuningTime> readTuningFile(const fs::path& folder, const vulkan::DeviceDescription& device) {
+  if (folder.empty()) return {};
+  std::ifstream file(tuningFile(folder, device));
   std::string line;
   if (!std::getline(file, line) || line != identity(device)) return {};
   std::vector<TuningTime> times;
@@ -102,11 +86,10 @@ std::vector<TuningTime> readTuningFile(const vulkan::DeviceDescription& device) 
   return times;
 }
 
-void writeTuningFile(const vulkan::DeviceDescription& device, std::span<const TuningTime> times) {
-  const fs::path name = tuningFile(device);
-  if (name.empty()) throw Error(ExitCode::kOutput, "neither XDG_CACHE_HOME nor HOME names a folder");
-  (void)canKeepTunings();  // if not, the file tells
-  OutputFile file({.option = "the tuning", .file = name});
+void writeTuningFile(const fs::path& folder, const vulkan::DeviceDescription& device,
+                     std::span<const TuningTime> times) {
+  (void)canKeepTunings(folder);  // if not, the file tells
+  OutputFile file({.option = "the tuning", .file = tuningFile(folder, device)});
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << identity(device) << '\n';

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,12 +17,16 @@ std::string sceneReadAs(bool inStorage);
 std::string tuningName(const Tuning& tuning);
 std::optional<Tuning> tuningNamed(const std::string& name);
 
-// Whether there is a folder for such files that can be written to. Makes it where it is missing.
-bool canKeepTunings();
+// These have a file for each device in `folder`, or none where that is empty.
+
+// Whether the folder can be written to. Makes it where it is missing.
+bool canKeepTunings(const std::filesystem::path& folder);
 // What was measured on the device, with the same driver and by the same version of this program; empty if
 // nothing was, or it cannot be read.
-std::vector<TuningTime> readTuningFile(const vulkan::DeviceDescription& device);
-// Throws Error(kOutput) if it cannot be written, or there is no folder for such files.
-void writeTuningFile(const vulkan::DeviceDescription& device, std::span<const TuningTime> times);
+std::vector<TuningTime> readTuningFile(const std::filesystem::path& folder,
+                                       const vulkan::DeviceDescription& device);
+// Throws Error(kOutput) if it cannot be written. The folder's name is not empty.
+void writeTuningFile(const std::filesystem::path& folder, const vulkan::DeviceDescription& device,
+                     std::span<const TuningTime> times);
 
 }  // namespace lavaray
