@@ -25,7 +25,8 @@ namespace v0 {
 
 struct OutputFile::State {
   explicit State(const OutputName& name) : file(std::in_place, internal(name)) {}
-  State(int descriptor, const OutputName& name) : shownName(printable(name.file.native())) {
+  State(int descriptor, const OutputName& name)
+      : shownName(descriptor == STDOUT_FILENO ? "stdout" : printable(name.file.native())) {
     checkNotRead(descriptor, shownName);
     struct stat status {};
     // Keeps other outputs from being the file that the descriptor is open for.

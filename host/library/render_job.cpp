@@ -32,6 +32,10 @@ void RenderJob::prepare() {
   guarded([&] { state_->prepare(); });
 }
 
+void RenderJob::begin() {
+  guarded([&] { state_->begin(); });
+}
+
 std::vector<std::string> RenderJob::resume(const std::filesystem::path& film) {
   return guarded([&] {
     state_->checkKeepsFilm();

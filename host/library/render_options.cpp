@@ -50,7 +50,13 @@ void checkViewAndError(const v0::SamplingOptions& options) {
   }
 }
 
-void checkRanges(const v0::SamplingOptions& options) {
+void checkSides(const v0::RenderOptions& options) {
+  checkRange("--width", options.width, 0.0, kMaxImageSide);
+  checkRange("--height", options.height, 0.0, kMaxImageSide);
+}
+
+void checkRanges(const v0::RenderOptions& options) {
+  checkSides(options);
   checkRange("--max-depth", options.maxDepth, 0.0, v0::kMaxMirrorBounces);
   checkRange("--spp", options.samples, 1.0, kMaxSamplesPerPixel);
   checkRange("--max-spp", options.maxSamples, 2.0, kMaxSamplesPerPixel);
@@ -73,8 +79,7 @@ bool keepsPicture(const v0::RenderOptions& options) {
 }  // namespace
 
 ImageSize outputSize(const v0::RenderOptions& options, const ImageSize& cameraSize) {
-  checkRange("--width", options.width, 0.0, kMaxImageSide);
-  checkRange("--height", options.height, 0.0, kMaxImageSide);
+  checkSides(options);
   const double aspect = static_cast<double>(cameraSize.width) / cameraSize.height;
   ImageSize size = cameraSize;
   if (options.width != 0) size.width = options.width;
@@ -96,7 +101,6 @@ bool needsWhole(const v0::RenderOptions& options) {
 
 RenderPlan planFor(const v0::RenderOptions& options, const Scene& scene) {
   v0::checkOptions(options);
-  checkFilm(options);
   RenderPlan plan;
   RenderSettings& settings = plan.settings;
   static_cast<v0::SamplingOptions&>(settings) = static_cast<const v0::SamplingOptions&>(options);
@@ -113,11 +117,12 @@ RenderPlan planFor(const v0::RenderOptions& options, const Scene& scene) {
 
 namespace v0 {
 
-void checkOptions(const SamplingOptions& options) {
+void checkOptions(const RenderOptions& options) {
   guarded([&] {
     checkRanges(options);
     checkViewAndError(options);
     checkSampleRange(options);
+    checkFilm(options);
   });
 }
 

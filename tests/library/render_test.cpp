@@ -52,6 +52,9 @@ TEST(LibraryRender, RowsThatAreTakenAreThoseOfThePicture) {
   options.keepsPicture = false;
   RenderJob job(renderer().device(), objectScene(), options);
   ASSERT_TRUE(job.canStream());
+  EXPECT_EQ(job.secondsElapsed(), 0.0);
+  job.begin();
+  EXPECT_GT(job.secondsElapsed(), 0.0);
   std::vector<float> values;
   const auto take = [&](const float* rgb) { values.insert(values.end(), rgb, rgb + 3 * image.width); };
   job.run({}, take);

@@ -30,7 +30,8 @@ class LAVARAY_API OutputFile {
   // if what is there is not an ordinary file or cannot be replaced; Error(kUsage) if it is being written
   // already, or is read (see protectInputs).
   explicit OutputFile(const OutputName& output);
-  // What `descriptor` is open for, which stays open: standard output, say. It is written as it goes.
+  // What `descriptor` is open for, which stays open: standard output, say, which messages call stdout. It is
+  // written as it goes.
   OutputFile(int descriptor, const OutputName& output);
   ~OutputFile();
   OutputFile(OutputFile&&) noexcept;

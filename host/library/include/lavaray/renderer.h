@@ -29,8 +29,6 @@ LAVARAY_API std::optional<PixelFilter> filterNamed(const std::string& name);
 LAVARAY_API std::optional<Sampler> samplerNamed(const std::string& name);
 // Of a list separated by commas. Throws Error(kUsage) saying which name is wrong and what is allowed.
 LAVARAY_API std::vector<Layer> layersNamed(const std::string& names);
-// Throws Error(kUsage) if an option is out of range, or two of them contradict each other.
-LAVARAY_API void checkOptions(const SamplingOptions& options);
 
 inline constexpr std::uint32_t kMaxSamplesPerPixel = 1U << 22U;
 inline constexpr std::uint32_t kMaxMirrorBounces = 1000;
@@ -48,6 +46,9 @@ struct RenderOptions : SamplingOptions {
   bool keepsFilm = false;         // RenderJob::writeFilm and resume are to be called
   std::shared_ptr<const CompiledShader> shader;  // in place of the built-in one
 };
+
+// Throws Error(kUsage) if an option is out of range, or two of them contradict each other.
+LAVARAY_API void checkOptions(const RenderOptions& options);
 
 // Called some 10s of times a second with the share that is done, in [0, 1]; returns whether to go on. What it
 // throws ends the render and is thrown on.
@@ -97,10 +98,12 @@ class LAVARAY_API RenderJob {
   const ImageSize& size() const;  // of the whole
 
   // The steps before the first ray; whoever does not call them has run() do it. The first builds the
-  // hierarchy, while another thread makes the pipeline. The second waits for the device, and finds out
-  // whether there is enough memory.
+  // hierarchy, while another thread makes the pipeline. The second waits for the device, finds out whether
+  // there is enough memory, and measures the device where TuningOptions ask for that. The third takes what
+  // the picture needs of the device.
   void buildHierarchy();
   void prepare();
+  void begin();
   // With RenderOptions::keepsFilm goes on from a film of the same picture, before run(). Returns warnings.
   // Throws Error(kInput) naming what differs there: scene, options, crop, samples.
   std::vector<std::string> resume(const std::filesystem::path& film);
@@ -119,7 +122,7 @@ class LAVARAY_API RenderJob {
   // So far, also while run() calls back.
   Image image();
   double shareDone() const;        // in [0, 1]; estimated where there is a target or a time limit
-  double secondsElapsed() const;   // since prepare()
+  double secondsElapsed() const;   // since begin()
   double samplesPerPixel() const;  // averaged over the pixels in which something can show
   double estimatedError() const;   // RMSE, where there is a target, else 0
   Statistics statistics() const;
