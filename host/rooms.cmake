@@ -56,35 +56,26 @@ function(lavaray_shared_library)
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR}/host APPEND PROPERTY LAVARAY_ROOMS liblavaray)
 endfunction()
 
-# lavaray_program(NAME FOLDER FILES file... LINKS room...): a program of the files in host/FOLDER.
-function(lavaray_program name folder)
-  cmake_parse_arguments(program "" "" "FILES;LINKS" ${ARGN})
-  list(TRANSFORM program_FILES PREPEND ${PROJECT_SOURCE_DIR}/host/${folder}/)
-  add_executable(${name} ${program_FILES})
-  set(reachable ${folder})
-  foreach(link ${program_LINKS})
-    target_link_libraries(${name} PRIVATE lavaray_${link})
-    get_property(below TARGET lavaray_${link} PROPERTY LAVARAY_REACHABLE_ROOMS)
-    list(APPEND reachable ${below})
-  endforeach()
-  set_property(DIRECTORY ${PROJECT_SOURCE_DIR}/host APPEND PROPERTY LAVARAY_ROOMS ${name})
-  lavaray_check_includes(${folder} "${reachable}")
-  install(TARGETS ${name})
-endfunction()
-
-# lavaray_client(NAME FOLDER FILES file...): a program of the files in host/FOLDER that is a client of liblavaray: it
-# has its public headers and what the programs' command lines share, and nothing else of the project.
+# lavaray_client(NAME FOLDER FILES file... [LINKS room...]): a program of the files in host/FOLDER that is a client of
+# liblavaray: it has its public headers, what the programs' command lines share, and rooms that stand on nothing.
 function(lavaray_client name folder)
-  cmake_parse_arguments(client "" "" "FILES" ${ARGN})
+  cmake_parse_arguments(client "" "" "FILES;LINKS" ${ARGN})
   list(TRANSFORM client_FILES PREPEND ${PROJECT_SOURCE_DIR}/host/${folder}/)
   add_executable(${name} ${client_FILES})
   target_link_libraries(${name} PRIVATE lavaray_command_line liblavaray)
+  foreach(link ${client_LINKS})
+    get_property(below TARGET lavaray_${link} PROPERTY LAVARAY_REACHABLE_ROOMS)
+    if(NOT below STREQUAL link)
+      message(FATAL_ERROR "host/${folder} links ${link}, which stands on other rooms")
+    endif()
+    target_link_libraries(${name} PRIVATE lavaray_${link})
+  endforeach()
   # A signal handler calls the library, which must be linked by then.
   target_link_options(${name} PRIVATE LINKER:-z,now)
   file(RELATIVE_PATH library /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
   set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/${library}")
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR}/host APPEND PROPERTY LAVARAY_ROOMS ${name})
-  lavaray_check_includes(${folder} "${folder};command_line")
+  lavaray_check_includes(${folder} "${folder};command_line;${client_LINKS}")
   install(TARGETS ${name})
 endfunction()
 

@@ -89,4 +89,9 @@ int interruptCode() {
   return 128 + (signal != 0 ? signal : SIGINT);
 }
 
+void throwInterrupted(const std::string& message) {
+  // An enumeration of int, of which only the values of the library have names.
+  throw Error(static_cast<ErrorKind>(interruptCode()), message);
+}
+
 }  // namespace lavaray

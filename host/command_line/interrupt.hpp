@@ -26,5 +26,7 @@ class InterruptGuard {
 bool wasInterrupted();
 // The exit code of the first signal, 128 and its number; that of Ctrl-C if there was none.
 int interruptCode();
+// Throws an Error with that exit code.
+[[noreturn]] void throwInterrupted(const std::string& message);
 
 }  // namespace lavaray

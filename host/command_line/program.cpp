@@ -58,31 +58,30 @@ int checkPrinted(int code) {
                                       (reason != 0 ? std::strerror(reason) : "a write failed"));
 }
 
-struct Failure {
-  ErrorKind kind;
-  std::string message;
-};
+Failure failureOf(ErrorKind kind, const std::string& message) {
+  return {static_cast<int>(kind), message};
+}
 
-// What the exception being handled says.
+}  // namespace
+
 Failure currentFailure() {
   try {
     throw;
   } catch (const Error& error) {
-    return {error.kind(), error.what()};
+    return failureOf(error.kind(), error.what());
   } catch (const std::bad_alloc&) {
-    return {ErrorKind::kMemory, kNoMemory};
+    return failureOf(ErrorKind::kMemory, kNoMemory);
   } catch (const std::system_error& error) {
     // If a thread cannot start, the system says no more than to try again.
     const bool isMemory = error.code() == std::errc::not_enough_memory ||
                           error.code() == std::errc::resource_unavailable_try_again;
-    if (isMemory) return {ErrorKind::kMemory, kNoMemory};
-    return {ErrorKind::kInternal, "the system refuses what is needed: " + error.code().message()};
+    if (isMemory) return failureOf(ErrorKind::kMemory, kNoMemory);
+    return failureOf(ErrorKind::kInternal, "the system refuses what is needed: " + error.code().message());
   } catch (const std::exception& error) {
-    return {ErrorKind::kInternal, std::string("internal error, a defect of the program: ") + error.what()};
+    return failureOf(ErrorKind::kInternal,
+                     std::string("internal error, a defect of the program: ") + error.what());
   }
 }
-
-}  // namespace
 
 int runProgram(const std::string& name, const std::function<int()>& body) {
   programName = name;
@@ -97,7 +96,7 @@ int runProgram(const std::string& name, const std::function<int()>& body) {
   } catch (const std::exception&) {
     const Failure failure = currentFailure();
     std::cerr << name << ": " << failure.message << '\n';
-    return static_cast<int>(failure.kind);
+    return failure.code;
   }
 }
 

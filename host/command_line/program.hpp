@@ -9,4 +9,11 @@ namespace lavaray {
 // `name: message`.
 int runProgram(const std::string& name, const std::function<int()>& body);
 
+struct Failure {
+  int code;  // the program's, an error's kind
+  std::string message;
+};
+// What the exception that is being handled says.
+Failure currentFailure();
+
 }  // namespace lavaray

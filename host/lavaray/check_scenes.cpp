@@ -1,37 +1,34 @@
 #include "lavaray/check_scenes.hpp"
 
+#include <lavaray/files.h>
+
 #include <iostream>
 
-#include "base/output_file.hpp"
 #include "lavaray/inputs.hpp"
 #include "lavaray/json_report.hpp"
-#include "lavaray/run_report.hpp"
 #include "lavaray/scene_loop.hpp"
 #include "lavaray/text_report.hpp"
 
 namespace lavaray {
 namespace {
 
-ExitCode checkScene(const Options& options) {
-  UserShader none({});
-  Inputs inputs(options, none);
-  inputs.readScene({});
-  printWarnings(std::cerr, inputs.takeWarnings());
-  const Scene& scene = inputs.scene();
-  const ImageSize size = outputSize(options, imageSize(scene.camera).value());
-  const SceneReport report = reportScene(scene);
-  printScene(std::cerr, report);
+int checkScene(const Options& options) {
+  const Scene scene = readScene(options);
+  printWarnings(std::cerr, scene.warnings());
+  const ImageSize size = pictureSize(scene, options.render);
+  const SceneSummary summary = scene.summary();
+  printScene(std::cerr, summary);
   if (!options.json.empty()) {
     OutputFile file({"--json", options.json});
-    writeJsonCheck(file.stream(), report, size);
+    writeJsonCheck(file.stream(), summary, size);
     file.commit();
   }
-  return ExitCode::kSuccess;
+  return 0;
 }
 
 }  // namespace
 
-ExitCode checkScenes(const std::vector<Options>& scenes) {
+int checkScenes(const std::vector<Options>& scenes) {
   return forEachScene(scenes, [&](std::size_t index) { return checkScene(scenes[index]); });
 }
 

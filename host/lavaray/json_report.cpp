@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/version.hpp"
-#include "library/tuning_file.hpp"
 
 namespace lavaray {
 namespace {
@@ -15,66 +14,65 @@ using Json = nlohmann::ordered_json;
 // To be raised with every entry that is removed or renamed, or changes its meaning.
 constexpr int kSchema = 2;
 
-Json sceneJson(const SceneReport& scene) {
+Json sceneJson(const SceneSummary& scene) {
   Json files = Json::array();
-  for (const MeshFileReport& mesh : scene.meshFiles) {
-    files.push_back({{"file", mesh.file},
+  for (const MeshSummary& mesh : scene.meshFiles) {
+    files.push_back({{"file", mesh.file.string()},
                      {"triangles", mesh.triangles},
                      {"vertices", mesh.vertices},
                      {"normals", mesh.normals},
                      {"degenerateTriangles", mesh.degenerateTriangles}});
   }
-  return {{"file", scene.file},           {"width", scene.image.width},
+  return {{"file", scene.file.string()},  {"width", scene.image.width},
           {"height", scene.image.height}, {"planes", scene.planes},
           {"spheres", scene.spheres},     {"triangles", scene.triangles},
           {"meshes", scene.meshes},       {"meshTriangles", scene.meshTriangles},
           {"lights", scene.lights},       {"meshFiles", files}};
 }
 
-Json bvhJson(const HierarchyReport& hierarchy) {
-  const BvhQuality& built = hierarchy.built;
+Json bvhJson(const HierarchyStatistics& hierarchy) {
   return {{"primitives", hierarchy.primitives},
           {"droppedDuplicates", hierarchy.droppedDuplicates},
-          {"innerNodes", built.innerNodes},
-          {"leaves", built.leaves},
-          {"primitivesPerLeaf", built.leafSize},
-          {"depth", built.depth},
-          {"mostDepth", gpu::kMaxBvhDepth},
+          {"innerNodes", hierarchy.innerNodes},
+          {"leaves", hierarchy.leaves},
+          {"primitivesPerLeaf", hierarchy.primitivesPerLeaf},
+          {"depth", hierarchy.depth},
+          {"mostDepth", hierarchy.maxDepth},
           {"traversedNodes", hierarchy.traversedNodes},
           {"traversedDepth", hierarchy.traversedDepth},
-          {"sahCost", built.sahCost}};
+          {"sahCost", hierarchy.sahCost}};
 }
 
 Json shareOrNull(double share) {
   return share > 0.0 ? Json(share) : Json();
 }
 
-Json raysJson(const TraceCounts& counts, const RayRates& rates) {
+Json raysJson(const RayCounts& rays, const RayRates& rates) {
   return {
-      {"camera", counts.samples},
-      {"mirror", counts.mirrorRays},
-      {"shadow", counts.shadowRays},
-      {"skippedCamera", counts.skippedSamples},
-      {"skippedShadow", counts.skippedShadowRays},
+      {"camera", rays.camera},
+      {"mirror", rays.mirror},
+      {"shadow", rays.shadow},
+      {"skippedCamera", rays.skippedCamera},
+      {"skippedShadow", rays.skippedShadow},
       {"perSecond",
        {{"camera", rates.camera}, {"mirror", rates.mirror}, {"shadow", rates.shadow}, {"all", rates.all()}}},
       {"lanesInUse",
-       {{"nearestHits", shareOrNull(counts.nearestHitLanesInUse())},
-        {"shadows", shareOrNull(counts.shadowLanesInUse())}}}};
+       {{"nearestHits", shareOrNull(rays.nearestHitLanesInUse)},
+        {"shadows", shareOrNull(rays.shadowLanesInUse)}}}};
 }
 
-Json samplingJson(const RenderStatistics& render) {
-  return {{"stopped", stopReasonName(render.stopReason)},
+Json samplingJson(const Statistics& render) {
+  return {{"stopped", name(render.stopReason)},
           {"samplesPerPixel", render.samplesPerPixel},
           {"mostSamplesPerPixel", render.maxSamples},
           {"skippedPixels", render.skippedPixels},
           {"estimatedRmse", render.estimatedError > 0.0 ? Json(render.estimatedError) : Json()}};
 }
 
-Json activityJson(const vulkan::Activity& activity) {
+Json activityJson(const DeviceActivity& activity) {
   Json spans = Json::array();
-  for (const vulkan::SubmissionSpan& span : activity.first)
-    spans.push_back({span.submitted, span.begin, span.end, span.waitBegin, span.waitEnd});
+  for (const DispatchTimes& times : activity.first)
+    spans.push_back({times.submitted, times.begin, times.end, times.waitBegin, times.waitEnd});
   return {{"clock", activity.byDeviceClock ? "device" : "host"},
           {"seconds", activity.seconds},
           {"deviceIdleSeconds", activity.deviceIdleSeconds},
@@ -82,14 +80,14 @@ Json activityJson(const vulkan::Activity& activity) {
           {"firstDispatches", spans}};
 }
 
-Json deviceJson(const vulkan::DeviceDescription& device, const RenderStatistics& render) {
+Json deviceJson(const DeviceInfo& device, const Statistics& render) {
   return {{"name", device.name},
           {"kind", device.kind},
           {"driver", device.driver},
-          {"sceneReadAs", sceneReadAs(render.tuning.sceneInStorage)},
-          {"raysPerInvocation", render.tuning.raysPerLane},
+          {"sceneReadAs", render.sceneReadAs},
+          {"raysPerInvocation", render.raysPerInvocation},
           {"bufferBytes", render.deviceBytes},
-          {"dispatches", render.counts.dispatches},
+          {"dispatches", render.dispatches},
           {"activity", activityJson(render.activity)}};
 }
 
@@ -102,7 +100,7 @@ Json timesJson(const StepTimes& times) {
 }
 
 // What is known without rendering.
-Json inputJson(const SceneReport& scene, const ImageSize& picture) {
+Json inputJson(const SceneSummary& scene, const ImageSize& picture) {
   return {{"schema", kSchema},
           {"lavaray", kVersion},
           {"scene", sceneJson(scene)},
@@ -117,14 +115,14 @@ void write(std::FILE* stream, const Json& report) {
 
 }  // namespace
 
-void writeJsonCheck(std::FILE* stream, const SceneReport& scene, const ImageSize& picture) {
+void writeJsonCheck(std::FILE* stream, const SceneSummary& scene, const ImageSize& picture) {
   write(stream, inputJson(scene, picture));
 }
 
 void writeJsonReport(std::FILE* stream, const RunReport& report) {
   Json json = inputJson(report.scene, report.picture);
-  json["bvh"] = bvhJson(report.hierarchy);
-  json["rays"] = raysJson(report.render.counts, report.rayRates);
+  json["bvh"] = bvhJson(report.render.hierarchy);
+  json["rays"] = raysJson(report.render.rays, ratesOf(report.render));
   json["sampling"] = samplingJson(report.render);
   json["device"] = deviceJson(report.device, report.render);
   json["memory"] = {{"peakBytes", report.peakMemoryBytes}};

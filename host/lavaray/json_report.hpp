@@ -10,7 +10,7 @@ namespace lavaray {
 // of the stream to check.
 
 // What --check says, and the size of the whole picture.
-void writeJsonCheck(std::FILE* stream, const SceneReport& scene, const ImageSize& picture);
+void writeJsonCheck(std::FILE* stream, const SceneSummary& scene, const ImageSize& picture);
 
 // What --stats says.
 void writeJsonReport(std::FILE* stream, const RunReport& report);

@@ -1,3 +1,5 @@
+#include <lavaray/device.h>
+
 #include <iostream>
 
 #include "command_line/program.hpp"
@@ -7,28 +9,26 @@
 #include "lavaray/scene_files.hpp"
 #include "lavaray/text_report.hpp"
 #include "lavaray/watch_scene.hpp"
-#include "library/guarded.hpp"
-#include "vulkan/driver_survey.hpp"
 
 namespace lavaray {
 namespace {
 
-void listDevices(const Options& options) {
+void tellDevices(const Options& options) {
   // Before the drivers are loaded in this process, which one may end.
   if (options.verbose) {
-    for (const std::string& line : vulkan::surveyDrivers().lines(true)) std::cerr << line << '\n';
+    for (const std::string& line : describeDrivers()) std::cerr << line << '\n';
   }
-  const vulkan::Instance instance;
-  printWarnings(std::cerr, instance.warnings());
-  printDevices(std::cerr, vulkan::listDevices(instance));
+  const DeviceList list = listDevices();
+  printWarnings(std::cerr, list.warnings);
+  printDevices(std::cerr, list.devices);
 }
 
 // The scenes' options differ only in the names of files.
-ExitCode run(const std::vector<Options>& scenes) {
+int run(const std::vector<Options>& scenes) {
   const Options& options = scenes.front();
   if (options.listDevices) {
-    listDevices(options);
-    return ExitCode::kSuccess;
+    tellDevices(options);
+    return 0;
   }
   checkFiles(scenes);
   if (options.check) return checkScenes(scenes);
@@ -41,9 +41,7 @@ ExitCode run(const std::vector<Options>& scenes) {
 
 int main(int argc, char** argv) {
   return lavaray::runProgram("lavaray", [&] {
-    return lavaray::guarded([&] {
-      const auto scenes = lavaray::parseOptions(argc, argv);
-      return scenes.empty() ? 0 : static_cast<int>(lavaray::run(scenes));
-    });
+    const auto scenes = lavaray::parseOptions(argc, argv);
+    return scenes.empty() ? 0 : lavaray::run(scenes);
   });
 }

@@ -4,11 +4,7 @@
 
 namespace lavaray {
 
-// What options say of each other, each of which is fine by itself. Throw Error(kUsage).
-
-// Of those that are the same for all scenes.
-void checkViewAndError(const Options& options);
-// Of those of one scene, whose output has its name.
+// What the options of one scene say of each other, each of which is fine by itself. Throws Error(kUsage).
 void checkOptions(const Options& options);
 
 }  // namespace lavaray

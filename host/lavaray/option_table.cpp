@@ -1,12 +1,8 @@
 #include "lavaray/option_table.hpp"
 
-#include <lavaray/device.h>
-
 #include <cstdint>
 #include <limits>
 
-#include "base/errors.hpp"
-#include "base/limits.hpp"
 #include "command_line/usage.hpp"
 
 namespace lavaray {
@@ -23,15 +19,17 @@ void addRenderOptions(CLI::App& app, Options& options) {
       ->type_name("FILE")
       ->check(fileName());
   const CLI::Validator side = integerFrom(1, kMaxImageSide);
-  app.add_option("--width", options.width, "Width in pixels of the same view; without --height by its aspect")
+  app.add_option("--width", options.render.width,
+                 "Width in pixels of the same view; without --height by its aspect")
       ->type_name("W")
       ->check(side);
-  app.add_option("--height", options.height,
+  app.add_option("--height", options.render.height,
                  "Height in pixels of the same view; without --width by its aspect")
       ->type_name("H")
       ->check(side);
-  addCropOption(app, options.crop, "Render only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top");
-  app.add_flag("--normalize", options.normalize, "Stretch the values so that the largest is 1");
+  addCropOption(app, options.render.crop,
+                "Render only the pixels X0 <= x < X1, Y0 <= y < Y1, y from the top");
+  app.add_flag("--normalize", options.render.normalize, "Stretch the values so that the largest is 1");
 }
 
 // Throws Error(kUsage) if the text is no range.
@@ -41,7 +39,7 @@ SampleRange sampleRange(const std::string& text) {
   std::uint32_t numbers[2];
   for (int i = 0; i < 2; ++i) {
     if (!CLI::detail::lexical_cast(parts[i], numbers[i])) {
-      throw Error(ExitCode::kUsage,
+      throw Error(ErrorKind::kUsage,
                   "--sample-range " + text + " is no range, allowed is A:B, the samples A <= i < B");
     }
   }
@@ -51,35 +49,31 @@ SampleRange sampleRange(const std::string& text) {
 void addFilterOption(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--filter",
-         [&options](const std::string& name) { options.render.filter = pixelFilter(name).value(); },
+         [&options](const std::string& name) { options.render.filter = filterNamed(name).value(); },
          "Pixel filter")
       ->type_name("NAME")
       ->check(
           [](const std::string& name) {
-            return pixelFilter(name) ? std::string()
+            return filterNamed(name) ? std::string()
                                      : "there is no filter " + name + ", allowed are " + kPixelFilterNames;
           },
           kPixelFilterNames)
-      ->default_str(pixelFilterName(options.render.filter));
+      ->default_str(name(options.render.filter));
 }
 
 void addSamplerOption(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--sampler",
-         [&options](const std::string& name) {
-           options.render.sampler =
-               name == samplerName(Sampler::kRandom) ? Sampler::kRandom : Sampler::kSobol;
-         },
+         [&options](const std::string& name) { options.render.sampler = samplerNamed(name).value(); },
          "Sample positions; sobol is Owen-scrambled, random for comparison")
       ->type_name("NAME")
       ->check(
           [](const std::string& name) {
-            return name == samplerName(Sampler::kSobol) || name == samplerName(Sampler::kRandom)
-                       ? std::string()
-                       : "there is no sampler " + name + ", allowed are " + kSamplerNames;
+            return samplerNamed(name) ? std::string()
+                                      : "there is no sampler " + name + ", allowed are " + kSamplerNames;
           },
           kSamplerNames)
-      ->default_str(samplerName(options.render.sampler));
+      ->default_str(name(options.render.sampler));
 }
 
 void addSamplingOptions(CLI::App& app, Options& options) {
@@ -129,7 +123,7 @@ void addViewOption(CLI::App& app, Options& options) {
                                    : "there is no view " + name + ", allowed are " + kViewNames;
           },
           kViewNames)
-      ->default_str(viewName(options.render.view));
+      ->default_str(name(options.render.view));
 }
 
 void addExrOptions(CLI::App& app, Options& options) {
@@ -148,13 +142,15 @@ void addExrOptions(CLI::App& app, Options& options) {
 void addSceneOptions(CLI::App& app, Options& options) {
   app.add_option("--max-depth", options.render.maxDepth, "Mirror bounces")
       ->type_name("N")
-      ->check(integerFrom(0, 1000))
+      ->check(integerFrom(0, kMaxMirrorBounces))
       ->capture_default_str();
-  app.add_option("--reflect", options.reflect, "Materials without `ref` mirror K times their specular colour")
+  app.add_option("--reflect", options.defaults.reflect,
+                 "Materials without `ref` mirror K times their specular colour")
       ->type_name("K")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
-  app.add_option("--light-radius", options.lightRadius, "Lights without `rad` are spheres of radius R")
+  app.add_option("--light-radius", options.defaults.lightRadius,
+                 "Lights without `rad` are spheres of radius R")
       ->type_name("R")
       ->check(numberFrom(0.0, kMaxMagnitude))
       ->capture_default_str();
@@ -200,10 +196,10 @@ void addOtherOptions(CLI::App& app, Options& options) {
       ->envname("LAVARAY_TUNING")
       ->check(
           [](const std::string& text) {
-            return v0::isTuningWay(text) ? std::string()
-                                         : "there is no tuning " + text + ", allowed are " + v0::kTuningWays;
+            return isTuningWay(text) ? std::string()
+                                     : "there is no tuning " + text + ", allowed are " + kTuningWays;
           },
-          v0::kTuningWays)
+          kTuningWays)
       ->capture_default_str();
   app.add_flag("--list-devices", options.listDevices, "List the Vulkan devices and exit");
   app.add_flag("--check", options.check,

@@ -1,12 +1,7 @@
 #include "lavaray/options.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <CLI/CLI.hpp>
 
-#include "base/errors.hpp"
-#include "base/limits.hpp"
 #include "command_line/usage.hpp"
 #include "command_line/version.hpp"
 #include "lavaray/layers.hpp"
@@ -27,8 +22,7 @@ std::vector<Options> parseOptions(int argc, const char* const* argv) {
   addOptions(app, options, scenes);
   if (!parseCommandLine(app, argc, argv)) return {};
   if (options.listDevices) return {options};
-  if (scenes.empty()) throw Error(ExitCode::kUsage, "SCENE is missing; lavaray --help lists the options");
-  checkViewAndError(options);
+  if (scenes.empty()) throw Error(ErrorKind::kUsage, "SCENE is missing; lavaray --help lists the options");
   std::vector<Options> all = optionsOfScenes(options, scenes);
   for (const Options& one : all) checkOptions(one);
   return all;
@@ -53,39 +47,15 @@ bool writesFilm(const Options& options) {
   return std::filesystem::path(options.output).extension() == ".film";
 }
 
-std::optional<double> defaultTargetError(const Options& options, const Scene& scene) {
+std::optional<double> defaultTargetError(const Options& options, const SceneSummary& scene) {
   constexpr double kTargetError = 0.01;
-  const RenderSettings& render = options.render;
+  const RenderOptions& render = options.render;
   const bool isStated = options.statesSamples || render.targetError;
-  const bool hasSphere =
-      std::ranges::any_of(scene.lights, [](const Light& light) { return light.radius > 0.0; });
-  if (isStated || !hasSphere || tracedView(render.view) != gpu::kViewColor) return std::nullopt;
+  // Of these there is an error to be estimated.
+  const bool isOfColors =
+      render.view == View::kColor || render.view == View::kSamples || render.view == View::kError;
+  if (isStated || !isOfColors || scene.sphericalLights == 0) return std::nullopt;
   return kTargetError;
-}
-
-void applyDefaults(const Options& options, Scene& scene) {
-  for (Material& material : scene.materials) {
-    if (!material.statesReflectance) material.reflectance = options.reflect * material.specular;
-  }
-  for (Light& light : scene.lights) {
-    if (!light.statesRadius) light.radius = options.lightRadius;
-  }
-}
-
-ImageSize outputSize(const Options& options, const ImageSize& cameraSize) {
-  const double aspect = static_cast<double>(cameraSize.width) / cameraSize.height;
-  ImageSize size = cameraSize;
-  if (options.width) size.width = *options.width;
-  if (options.height) size.height = *options.height;
-  const auto rounded = [](double pixels) { return std::max(1, static_cast<int>(std::lround(pixels))); };
-  if (options.width && !options.height) size.height = rounded(size.width / aspect);
-  if (options.height && !options.width) size.width = rounded(size.height * aspect);
-  if (size.width > kMaxImageSide || size.height > kMaxImageSide) {
-    throw Error(ExitCode::kUsage, "an image of " + std::to_string(size.width) + " x " +
-                                      std::to_string(size.height) + " pixels; each side may have 1 to " +
-                                      std::to_string(kMaxImageSide));
-  }
-  return size;
 }
 
 }  // namespace lavaray

@@ -1,16 +1,11 @@
 #pragma once
 
+#include <lavaray/renderer.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "base/output_file.hpp"
-#include "image/image.hpp"
-#include "render/layer.hpp"
-#include "render/settings.hpp"
-#include "scene/camera.hpp"
-#include "scene/scene.hpp"
 
 namespace lavaray {
 
@@ -19,16 +14,11 @@ struct Options {
   std::filesystem::path scene;  // or "-" for standard input
   // A path, or "-" for PPM to stdout; with the ending .film the film in place of a picture.
   std::string output;
-  std::optional<int> width;
-  std::optional<int> height;
-  std::optional<Rectangle> crop;
-  bool normalize = false;
-  RenderSettings render;  // but for what depends on the scene: size, crop, shader, what is kept and counted
+  RenderOptions render;        // but for the shader, and what depends on the scene
   bool statesSamples = false;  // whether --spp is given
   bool half = false;
   std::vector<Layer> layers;
-  double reflect = 0.0;
-  double lightRadius = 0.0;
+  Defaults defaults;
   std::string device;
   std::string tuning = "auto";
   bool listDevices = false;
@@ -55,10 +45,6 @@ std::vector<Options> parseOptions(int argc, const char* const* argv);
 // scene's name. Throws Error(kUsage) if two files would be one.
 std::vector<Options> optionsOfScenes(const Options& options, const std::vector<std::string>& scenes);
 
-// The size of the image: the camera's, or what was asked for; if only one side was, the other keeps the
-// camera's aspect. Throws Error(kUsage) if a side is out of range.
-ImageSize outputSize(const Options& options, const ImageSize& cameraSize);
-
 // Whether --output is a film, not a picture.
 bool writesFilm(const Options& options);
 
@@ -69,9 +55,6 @@ OutputName checkpointName(const Options& options);
 
 // The target error of a picture that neither --spp nor --target-error says anything about, where one sample
 // per pixel would be noise: that of spherical lights, by colour.
-std::optional<double> defaultTargetError(const Options& options, const Scene& scene);
-
-// Gives the options' reflectance and radius to materials and lights that state none.
-void applyDefaults(const Options& options, Scene& scene);
+std::optional<double> defaultTargetError(const Options& options, const SceneSummary& scene);
 
 }  // namespace lavaray

@@ -23,7 +23,7 @@ std::string describe(double number) {
 
 }  // namespace
 
-std::optional<std::string> describeScale(View view, const RenderStatistics& result) {
+std::optional<std::string> describeScale(View view, const Statistics& result) {
   if (view != View::kCost) return std::nullopt;
   if (result.largestMeasure <= 0.0) return "no ray tests a node or a primitive";
   std::ostringstream text;
@@ -33,24 +33,23 @@ std::optional<std::string> describeScale(View view, const RenderStatistics& resu
   return text.str();
 }
 
-TextEntries describeOrigin(const Options& options, const RenderSettings& settings,
-                           const std::string& device) {
+TextEntries describeOrigin(const Options& options, const ImageSize& size, const std::string& device) {
+  const RenderOptions& render = options.render;
   TextEntries entries = {{"Software", std::string("lavaray ") + kVersion},
                          {"Scene", options.scene.filename().string()},  // without the user's folders
-                         {"Size", describe(settings.size, options.crop)},
-                         {"Seed", std::to_string(settings.seed)},
+                         {"Size", describe(size, render.crop)},
+                         {"Seed", std::to_string(render.seed)},
                          {"Device", device}};
-  if (settings.view != View::kColor) entries.emplace_back("View", viewName(settings.view));
+  if (render.view != View::kColor) entries.emplace_back("View", name(render.view));
   return entries;
 }
 
-TextEntries describeOutcome(View view, const RenderStatistics& result, double seconds) {
+TextEntries describeOutcome(View view, const Statistics& result, double seconds) {
   TextEntries entries = {
       // The mean: a render to a target error, or one that was stopped, takes them where they help most.
       {"Samples per pixel", describe(result.samplesPerPixel)},
       {"Seconds", describe(seconds)}};
-  if (result.stopReason != StopReason::kFinished)
-    entries.emplace_back("Stopped", stopReasonName(result.stopReason));
+  if (result.stopReason != StopReason::kFinished) entries.emplace_back("Stopped", name(result.stopReason));
   if (const auto scale = describeScale(view, result)) entries.emplace_back("Scale", *scale);
   return entries;
 }

@@ -1,15 +1,12 @@
 #pragma once
 
+#include <lavaray/renderer.h>
+
 #include <chrono>
 #include <cstdio>
 #include <optional>
-#include <span>
 
-#include "base/output_file.hpp"
-#include "film/film.hpp"
-#include "image/row_writer.hpp"
 #include "lavaray/options.hpp"
-#include "render/render.hpp"
 
 namespace lavaray {
 
@@ -19,27 +16,23 @@ class Outputs {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Throws Error(kOutput) if one cannot be written, Error(kUsage) if it is a file that is read. The options
-  // must outlive it.
+  // Throws Error(kOutput) if one cannot be written, Error(kUsage) if it is a file that is read.
   explicit Outputs(const Options& options);
 
   // Throws Error(kOutput) if a picture of that size does not fit the format.
-  void checkSize(int width, int height) const;
+  void checkSize(const ImageSize& size) const;
 
   // The picture goes row by row, from the top, to its file or to stdout, to which nothing goes before the
   // first row. Throws Error(kOutput) as soon as something could not be written, or if the picture is too
   // large for the format.
-  void beginPicture(const Rectangle& part, const TextEntries& origin);
-  void writeRow(std::span<const float> rgb);
-  // Writes the rows that the render has not handed over yet, as far as they are in the picture, which lies
-  // within the rendered crop; stretched or coloured as the options say.
-  void writeRowsOf(Render& render, const Rectangle& crop);
+  void beginPicture(const ImageSize& size, const TextEntries& origin);
+  void writeRow(const float* rgb);
   void endPicture(const TextEntries& outcome);
   // The time that writing rows has taken so far.
   [[nodiscard]] Clock::duration timeOfRows() const { return timeOfRows_; }
 
   // Writes the film in place of a picture.
-  void writeFilm(const Render& render, const Identity& identity);
+  void writeFilm(RenderJob& job);
   [[nodiscard]] bool hasFilm() const { return hasFilm_; }
 
   // The stream for the statistics, null if there are to be none; commitJson() once they are written.
@@ -47,23 +40,13 @@ class Outputs {
   void commitJson() { json_->commit(); }
 
  private:
-  [[nodiscard]] std::FILE* pictureStream() const;
-  void claimStdout();
-  void commitPicture();
-
-  // Whether the picture's file holds numbers to compute with, rather than colours for the eye.
-  [[nodiscard]] bool hasNumbers() const { return format_ == ImageFormat::kPfm; }
-
-  const Options& options_;
   bool hasFilm_;
   ImageFormat format_ = ImageFormat::kPpm;
-  std::optional<OutputFile> output_;  // the picture or the film; without it, stdout_
-  std::optional<WriteClaim> stdoutClaim_;
-  std::optional<CheckedStream> stdout_;
+  std::optional<OutputFile> output_;  // the picture or the film
   std::optional<OutputFile> json_;
-  Rectangle part_;  // the picture
+  ImageSize size_;  // of the picture
   TextEntries origin_;
-  std::optional<RowWriter> rows_;
+  std::optional<ImageWriter> rows_;
   Clock::duration timeOfRows_{};
 };
 

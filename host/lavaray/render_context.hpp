@@ -1,18 +1,29 @@
 #pragma once
 
+#include <lavaray/device.h>
+
+#include <atomic>
+#include <cstdio>
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "command_line/interrupt.hpp"
 #include "command_line/progress.hpp"
-#include "lavaray/open_device.hpp"
-#include "lavaray/user_shader.hpp"
+#include "lavaray/cache_folder.hpp"
+#include "lavaray/options.hpp"
 
 namespace lavaray {
 
 // What the process keeps from one render to the next: the device with its pipelines, and the user's shader.
 struct RenderContext {
   explicit RenderContext(const Options& options)
-      : shader(options.shaders), device(options), progress(progressStyle(options.quiet)) {}
+      : compiler(options.shaders.empty() ? std::nullopt
+                                         : std::make_optional<ShaderCompiler>(options.shaders)),
+        device(options.device, options.validate ? onMessage() : nullptr, {options.tuning, cacheFolder()}),
+        progress(progressStyle(options.quiet)) {}
+  RenderContext(const RenderContext&) = delete;
+  RenderContext& operator=(const RenderContext&) = delete;
 
   // From the first ray until something is read anew, a signal is only remembered, and what is rendered is
   // written.
@@ -20,10 +31,19 @@ struct RenderContext {
     if (!guard) guard.emplace();
   }
 
-  std::optional<InterruptGuard> guard;  // destroyed last
-  UserShader shader;                    // forks: made before the others, which have threads
-  FutureDevice device;
+  std::optional<InterruptGuard> guard;     // destroyed last
+  std::optional<ShaderCompiler> compiler;  // forks: made before the others, which have threads
+  std::atomic<int> validationMessages{0};
+  Device device;
   Progress progress;
+
+ private:
+  std::function<void(const std::string&)> onMessage() {
+    return [this](const std::string& message) {
+      ++validationMessages;
+      std::fprintf(stderr, "validation: %s\n", message.c_str());
+    };
+  }
 };
 
 }  // namespace lavaray

@@ -11,7 +11,7 @@
 namespace lavaray {
 namespace {
 
-ExitCode renderScene(const Options& options, RenderContext& context) {
+int renderScene(const Options& options, RenderContext& context) {
   Session session(options, context);
   context.progress.begin("reading the scene");
   session.inputs().readScene({});
@@ -19,9 +19,9 @@ ExitCode renderScene(const Options& options, RenderContext& context) {
   context.progress.begin("compiling the shaders");
   if (session.inputs().compileShaders({})) session.times().endStep("compile shaders");
   session.printWarnings();
-  const ExitCode code = session.renderAndWrite();
+  const int code = session.renderAndWrite();
   session.viewer().waitUntilClosed();
-  return session.viewer().hasFailed() && code == ExitCode::kSuccess ? ExitCode::kOutput : code;
+  return session.viewer().hasFailed() && code == 0 ? static_cast<int>(ErrorKind::kOutput) : code;
 }
 
 std::string interruptedText(std::size_t left) {
@@ -39,10 +39,10 @@ void prepareForInterrupt(std::size_t left, RenderContext& context) {
 
 }  // namespace
 
-ExitCode renderScenes(const std::vector<Options>& scenes) {
+int renderScenes(const std::vector<Options>& scenes) {
   RenderContext context(scenes.front());
   const std::size_t count = scenes.size();
-  if (count > 1) context.device.get();  // Without one, no scene can be rendered.
+  if (count > 1) (void)context.device.info();  // Without one, no scene can be rendered.
   std::size_t begun = 0;
   const auto render = [&](std::size_t index) {
     if (count > 1) prepareForInterrupt(count - index, context);
@@ -58,9 +58,9 @@ ExitCode renderScenes(const std::vector<Options>& scenes) {
       throw;
     }
   };
-  const ExitCode code = forEachScene(scenes, render, [] { return !wasInterrupted(); });
-  if (begun == count) return code;
-  throw Error(static_cast<ExitCode>(interruptCode()), interruptedText(count - begun));
+  const int code = forEachScene(scenes, render, [] { return !wasInterrupted(); });
+  if (begun < count) throwInterrupted(interruptedText(count - begun));
+  return code;
 }
 
 }  // namespace lavaray

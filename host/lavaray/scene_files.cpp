@@ -1,11 +1,11 @@
 #include "lavaray/scene_files.hpp"
 
+#include <lavaray/files.h>
+#include <lavaray/scene.h>
+
 #include <utility>
 
-#include "base/errors.hpp"
-#include "base/file_claims.hpp"
 #include "lavaray/standard_input.hpp"
-#include "scene/scene_reader.hpp"
 
 namespace lavaray {
 namespace {
@@ -13,12 +13,11 @@ namespace {
 // Meshes as well: an earlier scene's picture might have replaced one when its own scene's turn comes.
 void noteMeshes(const std::filesystem::path& scene) {
   try {
-    (void)readScene(scene, [](const std::filesystem::path& mesh) {
-      noteRead(mesh, "the mesh");
-      return Mesh{};
-    });
+    for (const std::filesystem::path& file : Scene::filesOf(scene)) {
+      if (file != scene) noteRead(file, "the mesh");
+    }
   } catch (const Error& error) {
-    if (error.exitCode() != ExitCode::kInput) throw;
+    if (error.kind() != ErrorKind::kInput) throw;
     // Reported when it is the scene's turn.
   }
 }

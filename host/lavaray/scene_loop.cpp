@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "command_line/interrupt.hpp"
+#include "command_line/program.hpp"
 #include "lavaray/standard_input.hpp"
-#include "library/guarded.hpp"
 
 namespace lavaray {
 namespace {
@@ -16,21 +16,20 @@ std::string named(const std::string& scene, const std::string& message) {
 
 }  // namespace
 
-ExitCode forEachScene(const std::vector<Options>& scenes,
-                      const std::function<ExitCode(std::size_t index)>& work,
-                      const std::function<bool()>& canGoOn) {
+int forEachScene(const std::vector<Options>& scenes, const std::function<int(std::size_t index)>& work,
+                 const std::function<bool()>& canGoOn) {
   if (scenes.size() == 1) return work(0);
-  ExitCode first = ExitCode::kSuccess;
+  int first = 0;
   for (std::size_t i = 0; i < scenes.size() && canGoOn(); ++i) {
-    ExitCode code = ExitCode::kSuccess;
+    int code = 0;
     try {
-      code = guarded([&] { return work(i); });
-    } catch (const v0::Error& error) {
-      std::cerr << "lavaray: " << named(shownName(scenes[i].scene), error.what()) << '\n';
-      code = static_cast<ExitCode>(error.kind());
+      code = work(i);
+    } catch (const std::exception&) {
+      const Failure failure = currentFailure();
+      std::cerr << "lavaray: " << named(shownName(scenes[i].scene), failure.message) << '\n';
+      code = failure.code;
     }
-    if (first == ExitCode::kSuccess || (wasInterrupted() && static_cast<int>(code) == interruptCode()))
-      first = code;
+    if (first == 0 || (wasInterrupted() && code == interruptCode())) first = code;
   }
   return first;
 }

@@ -2,7 +2,6 @@
 #include <map>
 #include <utility>
 
-#include "base/errors.hpp"
 #include "lavaray/options.hpp"
 #include "lavaray/standard_input.hpp"
 
@@ -28,11 +27,11 @@ void checkStandardInput(const Options& options, const std::vector<std::string>& 
   std::size_t count = 0;
   for (const std::string& scene : scenes) count += isStandardInput(scene) ? 1 : 0;
   if (count > 1) {
-    throw Error(ExitCode::kUsage, "SCENE - is given " + std::to_string(count) +
-                                      " times, but standard input can be read once only");
+    throw Error(ErrorKind::kUsage, "SCENE - is given " + std::to_string(count) +
+                                       " times, but standard input can be read once only");
   }
   if (count == 1 && options.watch) {
-    throw Error(ExitCode::kUsage, "--watch needs scene files that may change; SCENE - is standard input");
+    throw Error(ErrorKind::kUsage, "--watch needs scene files that may change; SCENE - is standard input");
   }
 }
 
@@ -44,14 +43,14 @@ void checkSeveral(const Options& options, std::size_t count) {
                                                  {"--checkpoint", !options.checkpoint.empty()},
                                                  {"--resume", !options.resume.empty()}};
   for (const auto& [name, isGiven] : forOne) {
-    if (isGiven) throw Error(ExitCode::kUsage, std::string(name) + " is for one scene, here are " + scenes);
+    if (isGiven) throw Error(ErrorKind::kUsage, std::string(name) + " is for one scene, here are " + scenes);
   }
   const std::pair<const char*, const std::string&> patterns[] = {{"--output", options.output},
                                                                  {"--json", options.json}};
   for (const auto& [name, pattern] : patterns) {
     if (pattern.empty() || pattern.find(kPlaceholder) != std::string::npos) continue;
-    throw Error(ExitCode::kUsage, std::string(name) + ' ' + pattern + " would be the same for " + scenes +
-                                      "; it must have {}, which stands for a scene's name");
+    throw Error(ErrorKind::kUsage, std::string(name) + ' ' + pattern + " would be the same for " + scenes +
+                                       "; it must have {}, which stands for a scene's name");
   }
 }
 
@@ -65,13 +64,22 @@ void checkNames(const std::vector<Options>& all) {
       const auto [other, isNew] =
           scenes.try_emplace(fs::path(options.*file).lexically_normal(), options.scene);
       if (isNew) continue;
-      throw Error(ExitCode::kUsage,
+      throw Error(ErrorKind::kUsage,
                   option + " of " + other->second.string() + " and of " + options.scene.string() +
                       " would both be " + options.*file +
                       ", as {} stands for a scene's name without its folder and ending; give the scenes "
                       "other names, or render them one by one");
     }
   }
+}
+
+// What the render must do for the files that are to be written.
+void completeRenderOptions(Options& options) {
+  RenderOptions& render = options.render;
+  render.falseColors = imageFormat(options.output) != ImageFormat::kPfm;
+  render.countRays = options.stats || !options.json.empty();
+  render.keepsPicture = options.display;
+  render.keepsFilm = writesFilm(options) || !options.checkpoint.empty() || !options.resume.empty();
 }
 
 }  // namespace
@@ -86,6 +94,7 @@ std::vector<Options> optionsOfScenes(const Options& options, const std::vector<s
     one.scene = scene;
     one.output = filledIn(output, scene);
     one.json = filledIn(options.json, scene);
+    completeRenderOptions(one);
     all.push_back(std::move(one));
   }
   checkNames(all);

@@ -1,14 +1,12 @@
 #include "lavaray/standard_input.hpp"
 
 #include <fcntl.h>
+#include <lavaray/files.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <array>
+#include <cerrno>
 #include <system_error>
-
-#include "base/byte_reader.hpp"
-#include "base/errors.hpp"
-#include "base/file_claims.hpp"
 
 namespace lavaray {
 namespace {
@@ -17,6 +15,11 @@ namespace {
 bool isReadable() {
   const int flags = fcntl(STDIN_FILENO, F_GETFL);
   return flags != -1 && (flags & O_ACCMODE) != O_WRONLY;
+}
+
+[[noreturn]] void failUnreadable(const std::string& reason) {
+  const std::string name = kStandardInputName;
+  throw Error(ErrorKind::kInput, name + ": cannot be read: " + reason, name);
 }
 
 }  // namespace
@@ -31,17 +34,19 @@ std::string shownName(const std::filesystem::path& scene) {
 
 std::string readStandardInput() {
   if (isatty(STDIN_FILENO) == 1) {
-    throw Error(ExitCode::kUsage,
+    throw Error(ErrorKind::kUsage,
                 "SCENE - is standard input, which is a terminal here; pipe a scene into it, or name a file");
   }
-  if (!isReadable()) failUnreadable(kStandardInputName, "it is closed, or open for writing only");
+  if (!isReadable()) failUnreadable("it is closed, or open for writing only");
   noteRead("/dev/stdin", "the scene");  // which may be a file
-  try {
-    // The descriptor itself stays open, or a file that is opened later would get its number.
-    ByteReader reader(fdopen(dup(STDIN_FILENO), "rb"));
-    return readAll(reader);
-  } catch (const std::system_error& error) {
-    failUnreadable(kStandardInputName, error);
+  std::string text;
+  std::array<char, 1U << 16U> chunk;
+  for (;;) {
+    const ssize_t count = read(STDIN_FILENO, chunk.data(), chunk.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) failUnreadable(std::generic_category().message(errno));
+    if (count == 0) return text;
+    text.append(chunk.data(), static_cast<std::size_t>(count));
   }
 }
 

@@ -3,8 +3,6 @@
 #include <iomanip>
 #include <string>
 
-#include "library/tuning_file.hpp"
-
 namespace lavaray {
 namespace {
 
@@ -12,19 +10,19 @@ double mebibytes(std::size_t bytes) {
   return static_cast<double>(bytes) / (1U << 20U);
 }
 
-void printHierarchy(std::ostream& out, const HierarchyReport& hierarchy) {
-  const BvhQuality& built = hierarchy.built;
+void printHierarchy(std::ostream& out, const HierarchyStatistics& hierarchy) {
   out << "bvh\n  primitives      " << hierarchy.primitives << " (" << hierarchy.droppedDuplicates
-      << " duplicates dropped)\n  inner nodes     " << built.innerNodes << "\n  leaves          "
-      << built.leaves << " of " << built.leafSize << " primitives in the mean\n  depth           "
-      << built.depth << " of at most " << gpu::kMaxBvhDepth << "\n  as traversed    ";
+      << " duplicates dropped)\n  inner nodes     " << hierarchy.innerNodes << "\n  leaves          "
+      << hierarchy.leaves << " of " << hierarchy.primitivesPerLeaf
+      << " primitives in the mean\n  depth           " << hierarchy.depth << " of at most "
+      << hierarchy.maxDepth << "\n  as traversed    ";
   if (hierarchy.isTraversed) {
-    out << hierarchy.traversedNodes << " nodes of up to " << gpu::kNodeWidth << " children, depth "
+    out << hierarchy.traversedNodes << " nodes of up to " << hierarchy.nodeWidth << " children, depth "
         << hierarchy.traversedDepth;
   } else {
     out << "not at all, each ray tests all primitives";
   }
-  out << "\n  SAH cost        " << built.sahCost << '\n';
+  out << "\n  SAH cost        " << hierarchy.sahCost << '\n';
 }
 
 double millions(double number) {
@@ -36,27 +34,31 @@ std::string percent(double share) {
   return share > 0.0 ? std::to_string(static_cast<int>(100.0 * share + 0.5)) + " %" : "none";
 }
 
-void printRender(std::ostream& out, const RenderStatistics& render, const RayRates& rates) {
-  out << "rays\n  camera          " << render.counts.samples << " (" << render.samplesPerPixel
-      << " a pixel, at most " << render.maxSamples << ")\n  mirror          " << render.counts.mirrorRays
-      << "\n  shadow          " << render.counts.shadowRays << "\n  a second        " << millions(rates.all())
+void printRender(std::ostream& out, const Statistics& render) {
+  const RayRates rates = ratesOf(render);
+  out << "rays\n  camera          " << render.rays.camera << " (" << render.samplesPerPixel
+      << " a pixel, at most " << render.maxSamples << ")\n  mirror          " << render.rays.mirror
+      << "\n  shadow          " << render.rays.shadow << "\n  a second        " << millions(rates.all())
       << " M: " << millions(rates.camera) << " M camera, " << millions(rates.mirror) << " M mirror, "
       << millions(rates.shadow) << " M shadow\n  lanes in use    "
-      << percent(render.counts.nearestHitLanesInUse()) << " for nearest hits, "
-      << percent(render.counts.shadowLanesInUse()) << " for shadows\nskipped\n  camera rays     "
-      << render.counts.skippedSamples << "\n  shadow rays     " << render.counts.skippedShadowRays
+      << percent(render.rays.nearestHitLanesInUse) << " for nearest hits, "
+      << percent(render.rays.shadowLanesInUse) << " for shadows\nskipped\n  camera rays     "
+      << render.rays.skippedCamera << "\n  shadow rays     " << render.rays.skippedShadow
       << "\n  black pixels    " << render.skippedPixels << "\nsampling\n  stopped         "
-      << stopReasonName(render.stopReason) << '\n';
+      << name(render.stopReason) << '\n';
   if (render.estimatedError > 0.0) {
     out << "  estimated RMSE  " << std::setprecision(6) << render.estimatedError << std::setprecision(2)
         << '\n';
   }
 }
 
-void printActivity(std::ostream& out, const vulkan::Activity& activity) {
-  out << "  idle            " << 100.0 * activity.deviceIdleShare() << " % of " << activity.seconds
+void printActivity(std::ostream& out, const DeviceActivity& activity) {
+  const auto percentOfAll = [&](double seconds) {
+    return activity.seconds > 0.0 ? 100.0 * (seconds / activity.seconds) : 0.0;
+  };
+  out << "  idle            " << percentOfAll(activity.deviceIdleSeconds) << " % of " << activity.seconds
       << " s, by " << (activity.byDeviceClock ? "its own clock" : "the host's clock")
-      << "\n  host waits      " << 100.0 * activity.hostWaitShare() << " %\n";
+      << "\n  host waits      " << percentOfAll(activity.hostWaitSeconds) << " %\n";
 }
 
 void printTimes(std::ostream& out, const StepTimes& times) {
@@ -75,21 +77,21 @@ void printWarnings(std::ostream& out, const std::vector<std::string>& warnings) 
   for (const std::string& warning : warnings) out << "warning: " << warning << '\n';
 }
 
-void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices) {
+void printDevices(std::ostream& out, const std::vector<DeviceInfo>& devices) {
   for (std::size_t i = 0; i < devices.size(); ++i) {
     out << i << ": " << devices[i].name << " (" << devices[i].kind << ", " << devices[i].driver << ')'
-        << (devices[i].usable ? "" : ", not usable: no Vulkan 1.2 compute") << '\n';
+        << (devices[i].isUsable ? "" : ", not usable: no Vulkan 1.2 compute") << '\n';
   }
 }
 
-void printScene(std::ostream& out, const SceneReport& scene) {
-  out << "scene " << scene.file << "\n  image           " << scene.image.width << " x " << scene.image.height
-      << "\n  planes          " << scene.planes << "\n  spheres         " << scene.spheres
-      << "\n  triangles       " << scene.triangles << "\n  meshes          " << scene.meshes << " with "
-      << scene.meshTriangles << " triangles\n  lights          " << scene.lights << '\n';
-  for (const MeshFileReport& mesh : scene.meshFiles) {
-    out << "  mesh file       " << mesh.file << ": " << mesh.triangles << " triangles, " << mesh.vertices
-        << " vertices, " << mesh.normals << " normals, " << mesh.degenerateTriangles
+void printScene(std::ostream& out, const SceneSummary& scene) {
+  out << "scene " << scene.file.string() << "\n  image           " << scene.image.width << " x "
+      << scene.image.height << "\n  planes          " << scene.planes << "\n  spheres         "
+      << scene.spheres << "\n  triangles       " << scene.triangles << "\n  meshes          " << scene.meshes
+      << " with " << scene.meshTriangles << " triangles\n  lights          " << scene.lights << '\n';
+  for (const MeshSummary& mesh : scene.meshFiles) {
+    out << "  mesh file       " << mesh.file.string() << ": " << mesh.triangles << " triangles, "
+        << mesh.vertices << " vertices, " << mesh.normals << " normals, " << mesh.degenerateTriangles
         << " degenerate triangles dropped\n";
   }
 }
@@ -97,12 +99,12 @@ void printScene(std::ostream& out, const SceneReport& scene) {
 void printReport(std::ostream& out, const RunReport& report) {
   printScene(out, report.scene);
   out << std::fixed << std::setprecision(2);
-  printHierarchy(out, report.hierarchy);
-  printRender(out, report.render, report.rayRates);
+  printHierarchy(out, report.render.hierarchy);
+  printRender(out, report.render);
   out << "device\n  name            " << report.device.name << "\n  driver          " << report.device.driver
-      << "\n  reads scene as  " << sceneReadAs(report.render.tuning.sceneInStorage) << "\n  traces together "
-      << report.render.tuning.raysPerLane << " rays\n  buffers         "
-      << mebibytes(report.render.deviceBytes) << " MiB\n  dispatches      " << report.render.counts.dispatches
+      << "\n  reads scene as  " << report.render.sceneReadAs << "\n  traces together "
+      << report.render.raysPerInvocation << " rays\n  buffers         "
+      << mebibytes(report.render.deviceBytes) << " MiB\n  dispatches      " << report.render.dispatches
       << '\n';
   printActivity(out, report.render.activity);
   out << "memory\n  process, peak   " << mebibytes(report.peakMemoryBytes) << " MiB\n";

@@ -10,10 +10,10 @@ namespace lavaray {
 
 void printWarnings(std::ostream& out, const std::vector<std::string>& warnings);
 
-void printDevices(std::ostream& out, const std::vector<vulkan::DeviceDescription>& devices);
+void printDevices(std::ostream& out, const std::vector<DeviceInfo>& devices);
 
 // What --check says.
-void printScene(std::ostream& out, const SceneReport& scene);
+void printScene(std::ostream& out, const SceneSummary& scene);
 
 // What --stats says.
 void printReport(std::ostream& out, const RunReport& report);

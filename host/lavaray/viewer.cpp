@@ -4,10 +4,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "base/errors.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress.hpp"
-#include "image/false_color.hpp"
 
 namespace lavaray {
 namespace {
@@ -32,14 +30,14 @@ void Viewer::open(const ImageSize& size) {
   }
 }
 
-void Viewer::update(const Render& render) {
+void Viewer::update(RenderJob& job) {
   if (!window_) return;
-  if (Clock::now() - lastShown_ >= kShowEvery && render.samplesPerPixel() > 0.0) show(render, false);
+  if (Clock::now() - lastShown_ >= kShowEvery && job.samplesPerPixel() > 0.0) show(job, false);
   idle();
 }
 
-void Viewer::showFinished(const Render& render) {
-  if (window_) show(render, true);
+void Viewer::showFinished(RenderJob& job) {
+  if (window_) show(job, true);
 }
 
 void Viewer::idle() {
@@ -53,25 +51,26 @@ void Viewer::waitUntilClosed() {
   }
 }
 
-void Viewer::show(const Render& render, bool isFinished) {
+void Viewer::show(RenderJob& job, bool isFinished) {
   std::ostringstream title;
-  title << options_.scene.filename().string() << ": " << describeSamples(render);
-  const double share = render.shareDone();
+  title << options_.scene.filename().string() << ": " << describeSamples(job);
+  const double share = job.shareDone();
   if (!isFinished) {
     title << ", " << static_cast<int>(100.0 * share) << " %, "
-          << hoursAndMinutes(remainingTime(render.elapsed(), share)) << " left";
+          << hoursAndMinutes(remainingTime(std::chrono::duration<double>(job.secondsElapsed()), share))
+          << " left";
   }
-  Image image = render.image();
-  if (options_.normalize) normalize(image);
-  if (options_.render.view == View::kCost) applyFalseColors(image.rgb);
+  Image image = job.image();
+  // The file may hold numbers in place of colours.
+  if (options_.render.view == View::kCost && !options_.render.falseColors) applyFalseColors(image.rgb);
   window_->show(std::move(image), title.str());
   lastShown_ = Clock::now();
 }
 
-std::string describeSamples(const Render& render) {
+std::string describeSamples(const RenderJob& job) {
   std::ostringstream text;
-  text << std::setprecision(3) << render.samplesPerPixel() << " spp";
-  if (render.estimatedError() > 0.0) text << ", error " << render.estimatedError();
+  text << std::setprecision(3) << job.samplesPerPixel() << " spp";
+  if (job.estimatedError() > 0.0) text << ", error " << job.estimatedError();
   return text.str();
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <lavaray/renderer.h>
+
 #include <chrono>
 #include <memory>
 
 #include "lavaray/options.hpp"
 #include "lavaray/window.hpp"
-#include "render/render.hpp"
 
 namespace lavaray {
 
@@ -17,8 +18,8 @@ class Viewer {
   // The first time, opens the window for a picture of this size.
   void open(const ImageSize& size);
   // Handles keys and mouse, and shows the picture if it was last shown long enough ago.
-  void update(const Render& render);
-  void showFinished(const Render& render);
+  void update(RenderJob& job);
+  void showFinished(RenderJob& job);
   // Handles keys and mouse while nothing is rendered.
   void idle();
   void waitUntilClosed();
@@ -27,7 +28,7 @@ class Viewer {
   [[nodiscard]] bool hasFailed() const { return hasFailed_; }
 
  private:
-  void show(const Render& render, bool isFinished);
+  void show(RenderJob& job, bool isFinished);
 
   const Options& options_;
   std::unique_ptr<Window> window_;
@@ -37,6 +38,6 @@ class Viewer {
 };
 
 // Like `14 spp, error 0.01`.
-std::string describeSamples(const Render& render);
+std::string describeSamples(const RenderJob& job);
 
 }  // namespace lavaray

@@ -21,7 +21,7 @@ class Watch {
  public:
   explicit Watch(const Options& options)
       : options_(options), context_(options), session_(options, context_) {}
-  ExitCode run();
+  int run();
 
  private:
   using Files = Inputs::Files;
@@ -29,7 +29,7 @@ class Watch {
   template <typename Work>
   std::optional<std::invoke_result_t<Work>> attempt(const Work& work);
   bool readChanged(const Files& changed);
-  std::optional<ExitCode> render();
+  std::optional<int> render();
   Files waitForChanges();
 
   const Options& options_;
@@ -45,15 +45,15 @@ std::optional<std::invoke_result_t<Work>> Watch::attempt(const Work& work) {
   try {
     return work();
   } catch (const Error& error) {
-    if (error.exitCode() != ExitCode::kInput && error.exitCode() != ExitCode::kUsage) throw;
+    if (error.kind() != ErrorKind::kInput && error.kind() != ErrorKind::kUsage) throw;
     context_.progress.end();
     std::cerr << "lavaray: " << error.what() << '\n';
     return std::nullopt;
   }
 }
 
-ExitCode Watch::run() {
-  ExitCode code = ExitCode::kSuccess;
+int Watch::run() {
+  int code = 0;
   bool isDue = false;  // whether something has changed that no picture shows yet
   for (Files changed; !session_.isEnded(); changed = changed_.empty() ? waitForChanges() : changed_) {
     if (!options_.quiet) {
@@ -65,7 +65,7 @@ ExitCode Watch::run() {
     watcher_.watch(session_.inputs().files());
     changed_.clear();
     if (!isDue || !session_.inputs().areComplete()) continue;
-    const std::optional<ExitCode> result = render();
+    const std::optional<int> result = render();
     if (result) setInterruptedText("interrupted; the picture is of an earlier state\n");
     code = result.value_or(code);
     isDue = !changed_.empty();  // since a change has ended the render
@@ -73,7 +73,7 @@ ExitCode Watch::run() {
       std::cerr << "wrote " << options_.output << ": " << session_.times().inOneLine() << '\n';
     }
   }
-  return session_.viewer().hasFailed() && code == ExitCode::kSuccess ? ExitCode::kOutput : code;
+  return session_.viewer().hasFailed() && code == 0 ? static_cast<int>(ErrorKind::kOutput) : code;
 }
 
 // Returns whether there is something new to render.
@@ -91,7 +91,7 @@ bool Watch::readChanged(const Files& changed) {
   return isSceneNew || isShaderNew;
 }
 
-std::optional<ExitCode> Watch::render() {
+std::optional<int> Watch::render() {
   return attempt([&] {
     return session_.renderAndWrite([&] {
       changed_ = watcher_.changes(0ms);
@@ -112,7 +112,7 @@ Inputs::Files Watch::waitForChanges() {
 
 }  // namespace
 
-ExitCode watchScene(const Options& options) {
+int watchScene(const Options& options) {
   return Watch(options).run();
 }
 

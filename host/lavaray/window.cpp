@@ -1,5 +1,7 @@
 #include "lavaray/window.hpp"
 
+#include <lavaray/image.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +11,6 @@
 #define cimg_display 1
 #define cimg_verbosity 0
 #include <CImg.h>
-
-#include "base/errors.hpp"
 
 namespace lavaray {
 namespace {
@@ -100,7 +100,8 @@ Window::Window(const std::string& title, const ImageSize& size) : screen_(std::m
     const auto [width, height] = windowSize(size.width, size.height);
     screen_->display.assign(width, height, title.c_str(), 0);
   } catch (const CImgDisplayException&) {
-    throw Error(ExitCode::kOutput, "--display: there is no screen; is DISPLAY set, and an X server running?");
+    throw Error(ErrorKind::kOutput,
+                "--display: there is no screen; is DISPLAY set, and an X server running?");
   }
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <lavaray/types.h>
+
 #include <chrono>
 #include <memory>
 #include <string>
-
-#include "image/image.hpp"
-#include "scene/camera.hpp"
 
 namespace lavaray {
 

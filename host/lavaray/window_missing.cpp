@@ -1,4 +1,3 @@
-#include "base/errors.hpp"
 #include "lavaray/window.hpp"
 
 namespace lavaray {
@@ -6,7 +5,7 @@ namespace lavaray {
 struct Window::Screen {};
 
 Window::Window(const std::string& /*title*/, const ImageSize& /*size*/) {
-  throw Error(ExitCode::kOutput,
+  throw Error(ErrorKind::kOutput,
               "--display: this lavaray was built without windows; build it with libx11-dev");
 }
 
