@@ -12,7 +12,7 @@ namespace lavaray {
 // locale, no output file is ever left half written, and every failure is an Error with a sentence for the
 // user.
 
-// The process's exit codes. Scripts depend on these numbers, so they must not change.
+// What an error is about: the programs' exit codes. Scripts depend on these numbers, so they must not change.
 enum class ExitCode : int {
   kSuccess = 0,
   kInternalError = 1,
@@ -21,13 +21,10 @@ enum class ExitCode : int {
   kDevice = 4,
   kOutput = 5,
   kMemory = 6,
-  kHungUp = 129,
-  kInterrupted = 130,
-  kEnded = 143,
 };
 
-// Bad input or a bad environment. The message is a sentence for the user: main prints it and returns the exit
-// code. A defect of the program itself is an assertion or a std::logic_error instead.
+// Bad input or a bad environment. The message is a sentence for the user: a program prints it and returns the
+// exit code. A defect of the program itself is an assertion or a std::logic_error instead.
 class Error : public std::runtime_error {
  public:
   // `file` and `line` are for programs: a message about a file names it anyway.

@@ -47,9 +47,9 @@ void checkFilms(const Options& options) {
 }  // namespace
 
 void checkOptions(const Options& options) {
+  checkOptions(options.render);
   checkOutput(options);
   checkExr(options);
-  checkOptions(options.render);
   checkFilms(options);
 }
 

@@ -35,9 +35,6 @@ struct Activity {
   double deviceIdleSeconds = 0.0;  // of these
   double hostWaitSeconds = 0.0;
   std::vector<SubmissionSpan> first;  // the first submissions, no more than kMaxSpans
-
-  [[nodiscard]] double deviceIdleShare() const { return seconds > 0.0 ? deviceIdleSeconds / seconds : 0.0; }
-  [[nodiscard]] double hostWaitShare() const { return seconds > 0.0 ? hostWaitSeconds / seconds : 0.0; }
 };
 
 // When device and host were busy with submissions.

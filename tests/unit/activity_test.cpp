@@ -10,8 +10,8 @@ namespace {
 TEST(Activity, IsNothingWithoutSubmissions) {
   const Activity activity = ActivityLog().activity();
   EXPECT_EQ(activity.seconds, 0.0);
-  EXPECT_EQ(activity.deviceIdleShare(), 0.0);
-  EXPECT_EQ(activity.hostWaitShare(), 0.0);
+  EXPECT_EQ(activity.deviceIdleSeconds, 0.0);
+  EXPECT_EQ(activity.hostWaitSeconds, 0.0);
   EXPECT_TRUE(activity.first.empty());
 }
 
@@ -24,8 +24,6 @@ TEST(Activity, CountsGapsBetweenSubmissionsAsIdle) {
   EXPECT_EQ(activity.seconds, 6.0);
   EXPECT_EQ(activity.deviceIdleSeconds, 2.0);
   EXPECT_EQ(activity.hostWaitSeconds, 4.5);
-  EXPECT_EQ(activity.deviceIdleShare(), 2.0 / 6.0);
-  EXPECT_EQ(activity.hostWaitShare(), 4.5 / 6.0);
 }
 
 // A device may begin with the second while it ends the first.
