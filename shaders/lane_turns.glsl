@@ -37,7 +37,7 @@ RayWork workOfRay(LaneWork lane, uint ray, uint turn) {
     const uint taken = turn * kRaysPerLane + ray;
     return RayWork(lane.pixels[0], lane.first[0] + taken, 0u, taken < lane.count[0]);
   }
-  RayWork work;
+  RayWork work = RayWork(lane.pixels[0], 0u, 0u, false);
   const bool atOnce = takesItemsAtOnce(lane);
   [[unroll]] for (uint i = 0u; i < kItemsPerLane; ++i) {
     const uint taken = atOnce ? ray % kRaysPerItem : ray;
