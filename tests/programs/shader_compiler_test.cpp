@@ -55,8 +55,8 @@ TEST(ShaderCompiler, AnEditChangesTheWords) {
 
 TEST(ShaderCompiler, ErrorInTheSource) {
   const ShaderFolder folder;
-  const std::string place = folder.replace("render.comp", "uint entryGroup(uvec2 pixelInArea) {",
-                                           "uint entryGroup(uvec2 pixelInArea) { nope;");
+  const std::string place = folder.replace("render.comp", "uint entryGroup(uvec2 first, uvec2 last) {",
+                                           "uint entryGroup(uvec2 first, uvec2 last) { nope;");
   EXPECT_EQ(folder.error(), place + "'nope': undeclared identifier");
 }
 
