@@ -4,6 +4,7 @@ All renders are made by one process, by the Python package, so that many small p
 """
 
 import argparse
+import json
 import sys
 from pathlib import Path
 
@@ -100,5 +101,7 @@ def main(arguments):
     header = ["scene", *(f"{target:g}" for target in options.targets), "median", "97 %", "largest"]
     print(tables.table("True RMSE in parts of the target: medians (samples a pixel), and of all runs", header, rows))
     over = sum(part > 1 for part in everything)
+    found = {"rows": rows, "header": header, "runs": len(everything), "over": over}
+    (options.out / "bench-estimate.json").write_text(json.dumps(found, indent=1) + "\n")
     print(f"{len(everything)} runs, {over} with more than the target, {sum(p > 1.1 for p in everything)} with over 1.1")
     return 0

@@ -215,6 +215,23 @@ class Report:
         return (f"{name} geometric mean, {len(ratios)} of {asked}", "", "", "", "",
                 number(analysis.geometric_mean(ratios)))
 
+    def equal_errors(self):
+        """For each target and compared scene: the true RMSE, the time of adaptive, and that in parts of the others'
+        times at that error. None where it is unknown or not reached; POV-Ray's only where it takes part, if in a
+        variant of the scene."""
+        records = []
+        for target in self.targets:
+            rival = {name.removesuffix("-peer"): p.time(self.clock) / best.value if best else None
+                     for name, p, _, best in self.rival_points(target)}
+            for name, p in self.adaptive_points(target):
+                fixed = {method: self.fixed_time(name, method, p.rmse) for method in FIXED}
+                parts = {m: p.time(self.clock) / found.value if found else None for m, found in fixed.items()}
+                if name in rival:
+                    parts["povray"] = rival[name]
+                records.append({"target": target, "scene": name, "rmse": p.rmse, "seconds": p.time(self.clock),
+                                "of": parts})
+        return records
+
     def rmses_by_target(self):
         return {t: [r for s in self.compared for p in self.curves[s, ADAPTIVE] if p.setting == t for r in p.rmses]
                 for t in self.targets}
@@ -240,6 +257,7 @@ class Report:
         kept = analysis.honoured(self.rmses_by_target())
         return {
             "slopes": slopes,
+            "equal_errors": self.equal_errors(),
             "time_of_adaptive_over": ratios,
             "time_of_adaptive_over_povray": {t: analysis.geometric_mean(found) for t, found in rival.items()},
             "povray_differs_by": self.peers.differences,

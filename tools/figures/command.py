@@ -1,23 +1,26 @@
-"""The program: runs benchmarks, and writes what they found into docs/speed.md."""
+"""The program: runs benchmarks, and writes what they found into the documents."""
 
 import argparse
 import json
+import math
 import shutil
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
+from statistics import geometric_mean, median
 
 from figures import parts
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
-PAGE = ROOT / "docs/speed.md"
 
 DESCRIPTION = """\
-Runs benchmarks, and writes their tables, with command, machine and date, into docs/speed.md: rays (bench-speed against
-Embree, and its plot; README.md has some of it, too), sizes (a plot), processes (against POV-Ray), obj (bench-obj against tinyobjloader). An idle machine
-gives figures that can be compared.
+Runs benchmarks, and writes their tables, with command, machine and date, into the documents. Into docs/speed.md: rays
+(bench-speed against Embree, and its plot; README.md has some of it, too), sizes (a plot), processes (against POV-Ray),
+obj (bench-obj against tinyobjloader). Into docs/sampling.md: errors (bench-error, fixed sampling and POV-Ray against a
+target error, and its plot), slopes (bench-error), estimate (bench-estimate). An idle machine gives figures that can be
+compared.
 """
 
 
@@ -87,32 +90,83 @@ def obj(folder, command):
     return "\n\n".join([parts.markdown_table(header, map(row, results)), parts.origin(command)])
 
 
-# What each is written from.
-COMMANDS = {
-    "rays": ["tools/bench-speed", "--only", "rays", "--rounds", "3", "--rays-per-lane", "4,2,1"],
-    "sizes": ["tools/bench-speed", "--only", "sizes", "--rounds", "3"],
-    "processes": ["tools/bench-speed", "--only", "processes", "--rounds", "5"],
-    "obj": ["tools/bench-obj", "--rounds", "3"],
+def errors(folder, command):
+    results = json.loads((folder / "bench-error.json").read_text())
+    records = results["summary"]["equal_errors"]
+    names = list(dict.fromkeys(record["scene"] for record in records))
+    rows = []
+    for target in dict.fromkeys(record["target"] for record in records):
+        found = {record["scene"]: record["of"] for record in records if record["target"] == target}
+        for method, title in (("sobol", "fixed Owen-Sobol"), ("random", "fixed random"), ("povray", "POV-Ray's best")):
+            known = [found[name][method] for name in names if found[name].get(method)]
+            if not known:
+                continue
+            cells = [(f"{found[name][method]:.2f}" if found[name][method] else "not reached") if method in found[name] else ""
+                     for name in names]
+            rows.append([f"{target:g}" if method == "sobol" else "", title, *cells, f"{geometric_mean(known):.2f}"])
+    shutil.copy(folder / "error-time.svg", ROOT / "tools/bench_error/error-time.svg")
+    table = parts.markdown_table(["E", "time of", *names, "geometric mean"], rows)
+    return "\n\n".join([table, parts.origin(command, f"POV-Ray {results['povray']}" if results["povray"] else "no POV-Ray")])
+
+
+def slopes(folder, command):
+    results = json.loads((folder / "bench-error.json").read_text())
+    found = {name.removesuffix(" sobol"): slope["spp"] for name, slope in results["summary"]["slopes"].items()
+             if name.endswith(" sobol")}
+    names = [name for name in dict.fromkeys(record["scene"] for record in results["summary"]["equal_errors"])]
+    rmses = [[m["rmse"] for m in results["measurements"] if (m["scene"], m["method"], m["setting"]) == (name, "sobol", 16)]
+             for name in names]
+    rows = [["slope of log RMSE against log spp, from 4 spp on: Owen-Sobol (random: -0.50)", *(f"{found[name]:.2f}" for name in names)],
+            ["RMSE at 16 samples", *(f"{math.sqrt(sum(r * r for r in of_scene) / len(of_scene)):.4f}" for of_scene in rmses)]]
+    return "\n\n".join([parts.markdown_table(["", *names], rows), parts.origin(command)])
+
+
+def estimate(folder, command):
+    results = json.loads((folder / "bench-estimate.json").read_text())
+    text = f"Of these {results['runs']} runs {results['runs'] - results['over']} have a true RMSE of at most E."
+    return "\n\n".join([parts.markdown_table(results["header"], results["rows"]), text, parts.origin(command)])
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What is written, where, and from which run of which benchmark."""
+
+    write: object  # (folder of results, the command as words) -> lines of Markdown
+    page: str
+    command: list
+    out: str = ""  # the folder of its results in build/, if not that of all runs of the benchmark
+
+
+FIGURES = {
+    "rays": Figures(rays, "speed", ["tools/bench-speed", "--only", "rays", "--rounds", "3", "--rays-per-lane", "4,2,1"]),
+    "sizes": Figures(sizes, "speed", ["tools/bench-speed", "--only", "sizes", "--rounds", "3"]),
+    "processes": Figures(processes, "speed", ["tools/bench-speed", "--only", "processes", "--rounds", "5"]),
+    "obj": Figures(obj, "speed", ["tools/bench-obj", "--rounds", "3"]),
+    "errors": Figures(errors, "sampling", ["tools/bench-error", "--size", "640x480", "--spp", "4,16,64", "--targets",
+                                           "0.005,0.002,0.001", "--repeats", "1", "--seeds", "3", "--reference-spp", "1024"]),
+    "slopes": Figures(slopes, "sampling", ["tools/bench-error", "--repeats", "1"], "bench-error-slopes"),
+    "estimate": Figures(estimate, "sampling", ["tools/bench-estimate", "--seeds", "5"]),
 }
-WRITERS = {"rays": rays, "sizes": sizes, "processes": processes, "obj": obj}
 
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(prog="write-figures", description=DESCRIPTION, allow_abbrev=False)
     parser.add_argument("--kept", action="store_true", help="write what the last runs have found, in place of new ones")
-    parser.add_argument("what", nargs="*", metavar="WHAT", help=f"which, of {', '.join(COMMANDS)} (default: all)")
+    parser.add_argument("what", nargs="*", metavar="WHAT", help=f"which, of {', '.join(FIGURES)} (default: all)")
     options = parser.parse_args(arguments)
-    unknown = [what for what in options.what if what not in COMMANDS]
+    unknown = [what for what in options.what if what not in FIGURES]
     if unknown:
-        parser.error(f"there is no {unknown[0]}, allowed are {', '.join(COMMANDS)}")
+        parser.error(f"there is no {unknown[0]}, allowed are {', '.join(FIGURES)}")
     try:
-        for what in options.what or COMMANDS:
-            command = COMMANDS[what]
+        for what in options.what or FIGURES:
+            figures = FIGURES[what]
+            folder = BUILD / (figures.out or Path(figures.command[0]).name)
             if not options.kept:
-                subprocess.run(command, cwd=ROOT, stdout=sys.stderr, check=True)
-            folder = BUILD / Path(command[0]).name
-            parts.replace(PAGE, what, WRITERS[what](folder, " ".join(command)))
-            print(f"{PAGE}: {what}")
+                out = ["--out", folder] if figures.out else []
+                subprocess.run([*figures.command, *out], cwd=ROOT, stdout=sys.stderr, check=True)
+            page = ROOT / "docs" / f"{figures.page}.md"
+            parts.replace(page, what, figures.write(folder, " ".join(figures.command)))
+            print(f"{page}: {what}")
     except (parts.PageError, subprocess.CalledProcessError, OSError, KeyError) as error:
         print(f"write-figures: {error}", file=sys.stderr)
         return 1
