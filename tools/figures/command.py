@@ -3,6 +3,7 @@
 import argparse
 import json
 import math
+import shlex
 import shutil
 import subprocess
 import sys
@@ -10,15 +11,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import geometric_mean, median
 
+from figures import batch as batches
 from figures import parts
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
+BATCH_ROUNDS = 3
 
 DESCRIPTION = """\
 Runs benchmarks, and writes their tables, with command, machine and date, into the documents. Into docs/speed.md: rays
 (bench-speed against Embree, and its plot; README.md has some of it, too), sizes (a plot), processes (against POV-Ray),
-obj (bench-obj against tinyobjloader). Into docs/sampling.md: errors (bench-error, fixed sampling and POV-Ray against a
+obj (bench-obj against tinyobjloader). Into docs/command-line.md: batch (many scenes in one process). Into docs/sampling.md: errors (bench-error, fixed sampling and POV-Ray against a
 target error, and its plot), slopes (bench-error), estimate (bench-estimate). An idle machine gives figures that can be
 compared.
 """
@@ -90,6 +93,17 @@ def obj(folder, command):
     return "\n\n".join([parts.markdown_table(header, map(row, results)), parts.origin(command)])
 
 
+def batch(folder, command):
+    program = BUILD / "host/lavaray"
+    here = sorted((ROOT / "scenes").glob("*.txt"))
+    rows = []
+    for what, scenes in (("`scenes/torus.txt`, 40 times", [ROOT / "scenes/torus.txt"] * 40),
+                         (f"the {len(here)} scenes of `scenes/`, each twice", here * 2)):
+        rows.append([what, *(f"{share:.2f}" for share in batches.shares(program, scenes, BATCH_ROUNDS))])
+    header = ["", "CPU time", "wall clock", "with a shader cache that is empty at first: CPU time", "wall clock"]
+    return "\n\n".join([parts.markdown_table(header, rows), parts.origin(command, f"least of {BATCH_ROUNDS}")])
+
+
 def errors(folder, command):
     results = json.loads((folder / "bench-error.json").read_text())
     records = results["summary"]["equal_errors"]
@@ -113,17 +127,18 @@ def slopes(folder, command):
     results = json.loads((folder / "bench-error.json").read_text())
     found = {name.removesuffix(" sobol"): slope["spp"] for name, slope in results["summary"]["slopes"].items()
              if name.endswith(" sobol")}
-    names = [name for name in dict.fromkeys(record["scene"] for record in results["summary"]["equal_errors"])]
     rmses = [[m["rmse"] for m in results["measurements"] if (m["scene"], m["method"], m["setting"]) == (name, "sobol", 16)]
-             for name in names]
-    rows = [["slope of log RMSE against log spp, from 4 spp on: Owen-Sobol (random: -0.50)", *(f"{found[name]:.2f}" for name in names)],
+             for name in found]
+    rows = [["slope of log RMSE against log spp, from 4 spp on: Owen-Sobol (random: -0.50)",
+             *(f"{slope:.2f}" for slope in found.values())],
             ["RMSE at 16 samples", *(f"{math.sqrt(sum(r * r for r in of_scene) / len(of_scene)):.4f}" for of_scene in rmses)]]
-    return "\n\n".join([parts.markdown_table(["", *names], rows), parts.origin(command)])
+    return "\n\n".join([parts.markdown_table(["", *found], rows), parts.origin(command)])
 
 
 def estimate(folder, command):
     results = json.loads((folder / "bench-estimate.json").read_text())
-    text = f"Of these {results['runs']} runs {results['runs'] - results['over']} have a true RMSE of at most E."
+    kept, most = results["runs"] - results["over"], results["rows"][-1][-1]
+    text = f"Of these {results['runs']} runs {kept} have a true RMSE of at most E, and none has more than {most} E."
     return "\n\n".join([parts.markdown_table(results["header"], results["rows"]), text, parts.origin(command)])
 
 
@@ -133,7 +148,7 @@ class Figures:
 
     write: object  # (folder of results, the command as words) -> lines of Markdown
     page: str
-    command: list
+    command: list  # empty where write() measures
     out: str = ""  # the folder of its results in build/, if not that of all runs of the benchmark
 
 
@@ -142,9 +157,11 @@ FIGURES = {
     "sizes": Figures(sizes, "speed", ["tools/bench-speed", "--only", "sizes", "--rounds", "3"]),
     "processes": Figures(processes, "speed", ["tools/bench-speed", "--only", "processes", "--rounds", "5"]),
     "obj": Figures(obj, "speed", ["tools/bench-obj", "--rounds", "3"]),
+    "batch": Figures(batch, "command-line", []),
     "errors": Figures(errors, "sampling", ["tools/bench-error", "--size", "640x480", "--spp", "4,16,64", "--targets",
                                            "0.005,0.002,0.001", "--repeats", "1", "--seeds", "3", "--reference-spp", "1024"]),
-    "slopes": Figures(slopes, "sampling", ["tools/bench-error", "--repeats", "1"], "bench-error-slopes"),
+    "slopes": Figures(slopes, "sampling", ["tools/bench-error", "--repeats", "1", "--targets", "", "--povray", ""],
+                      "bench-error-slopes"),
     "estimate": Figures(estimate, "sampling", ["tools/bench-estimate", "--seeds", "5"]),
 }
 
@@ -160,12 +177,13 @@ def main(arguments=None):
     try:
         for what in options.what or FIGURES:
             figures = FIGURES[what]
-            folder = BUILD / (figures.out or Path(figures.command[0]).name)
-            if not options.kept:
+            command = figures.command or ["tools/write-figures", what]
+            folder = BUILD / (figures.out or Path(command[0]).name)
+            if figures.command and not options.kept:
                 out = ["--out", folder] if figures.out else []
-                subprocess.run([*figures.command, *out], cwd=ROOT, stdout=sys.stderr, check=True)
+                subprocess.run([*command, *out], cwd=ROOT, stdout=sys.stderr, check=True)
             page = ROOT / "docs" / f"{figures.page}.md"
-            parts.replace(page, what, figures.write(folder, " ".join(figures.command)))
+            parts.replace(page, what, figures.write(folder, shlex.join(command)))
             print(f"{page}: {what}")
     except (parts.PageError, subprocess.CalledProcessError, OSError, KeyError) as error:
         print(f"write-figures: {error}", file=sys.stderr)

@@ -24,8 +24,8 @@ def replace(page, name, text):
 
 def markdown_table(header, rows):
     lines = [header, ["---"] * len(header), *rows]
-    return "\n".join("| " + " | ".join(map(str, cells)) + " |" for cells in lines).replace("| --- ", "|---").replace(
-        "|--- |", "|---|").replace("|  |", "| |")
+    text = "\n".join("| " + " | ".join(map(str, cells)) + " |" for cells in lines)
+    return re.sub(r"\|  (?=\|)", "| ", text.replace("| --- ", "|---").replace("|--- |", "|---|"))
 
 
 def machine():
