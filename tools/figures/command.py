@@ -2,7 +2,6 @@
 
 import argparse
 import json
-import math
 import shlex
 import shutil
 import subprocess
@@ -22,7 +21,7 @@ DESCRIPTION = """\
 Runs benchmarks, and writes their tables, with command, machine and date, into the documents. Into docs/speed.md: rays
 (bench-speed against Embree, and its plot; README.md has some of it, too), sizes (a plot), processes (against POV-Ray),
 obj (bench-obj against tinyobjloader). Into docs/command-line.md: batch (many scenes in one process). Into docs/sampling.md: errors (bench-error, fixed sampling and POV-Ray against a
-target error, and its plot), slopes (bench-error), estimate (bench-estimate). An idle machine gives figures that can be
+target error, and its plot), estimate (bench-estimate). An idle machine gives figures that can be
 compared.
 """
 
@@ -120,19 +119,7 @@ def errors(folder, command):
             rows.append([f"{target:g}" if method == "sobol" else "", title, *cells, f"{geometric_mean(known):.2f}"])
     shutil.copy(folder / "error-time.svg", ROOT / "tools/bench_error/error-time.svg")
     table = parts.markdown_table(["E", "time of", *names, "geometric mean"], rows)
-    return "\n\n".join([table, parts.origin(command, f"POV-Ray {results['povray']}" if results["povray"] else "no POV-Ray")])
-
-
-def slopes(folder, command):
-    results = json.loads((folder / "bench-error.json").read_text())
-    found = {name.removesuffix(" sobol"): slope["spp"] for name, slope in results["summary"]["slopes"].items()
-             if name.endswith(" sobol")}
-    rmses = [[m["rmse"] for m in results["measurements"] if (m["scene"], m["method"], m["setting"]) == (name, "sobol", 16)]
-             for name in found]
-    rows = [["slope of log RMSE against log spp, from 4 spp on: Owen-Sobol (random: -0.50)",
-             *(f"{slope:.2f}" for slope in found.values())],
-            ["RMSE at 16 samples", *(f"{math.sqrt(sum(r * r for r in of_scene) / len(of_scene)):.4f}" for of_scene in rmses)]]
-    return "\n\n".join([parts.markdown_table(["", *found], rows), parts.origin(command)])
+    return "\n\n".join([table, parts.origin(command, results["povray"] or "no POV-Ray")])
 
 
 def estimate(folder, command):
@@ -149,7 +136,6 @@ class Figures:
     write: object  # (folder of results, the command as words) -> lines of Markdown
     page: str
     command: list  # empty where write() measures
-    out: str = ""  # the folder of its results in build/, if not that of all runs of the benchmark
 
 
 FIGURES = {
@@ -160,8 +146,6 @@ FIGURES = {
     "batch": Figures(batch, "command-line", []),
     "errors": Figures(errors, "sampling", ["tools/bench-error", "--size", "640x480", "--spp", "4,16,64", "--targets",
                                            "0.005,0.002,0.001", "--repeats", "1", "--seeds", "3", "--reference-spp", "1024"]),
-    "slopes": Figures(slopes, "sampling", ["tools/bench-error", "--repeats", "1", "--targets", "", "--povray", ""],
-                      "bench-error-slopes"),
     "estimate": Figures(estimate, "sampling", ["tools/bench-estimate", "--seeds", "5"]),
 }
 
@@ -178,10 +162,9 @@ def main(arguments=None):
         for what in options.what or FIGURES:
             figures = FIGURES[what]
             command = figures.command or ["tools/write-figures", what]
-            folder = BUILD / (figures.out or Path(command[0]).name)
+            folder = BUILD / Path(command[0]).name
             if figures.command and not options.kept:
-                out = ["--out", folder] if figures.out else []
-                subprocess.run([*command, *out], cwd=ROOT, stdout=sys.stderr, check=True)
+                subprocess.run(command, cwd=ROOT, stdout=sys.stderr, check=True)
             page = ROOT / "docs" / f"{figures.page}.md"
             parts.replace(page, what, figures.write(folder, shlex.join(command)))
             print(f"{page}: {what}")
