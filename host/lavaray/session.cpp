@@ -101,7 +101,7 @@ void Session::openDevice(RenderJob& job) {
   progress_.end();
   lavaray::printWarnings(std::cerr, context_.device.warnings());
   if (options_.verbose) std::cerr << "device: " << name << '\n';
-  progress_.begin("measuring the device");
+  progress_.begin("preparing the render");
   job.prepare();
   progress_.end();
   if (!options_.verbose) return;

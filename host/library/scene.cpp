@@ -49,6 +49,7 @@ std::shared_ptr<const GpuScene> flattened(State& state) {
   const std::lock_guard lock(state.mutex);
   if (state.flat) return state.flat;
   if (state.former && sameGeometry(state.scene, state.former->scene)) {
+    // Arrays of a million triangles are copied only while another render reads them.
     const bool isOurs = state.former.use_count() == 1 && state.former->flat.use_count() == 1;
     auto flat = isOurs ? std::const_pointer_cast<GpuScene>(state.former->flat)
                        : std::make_shared<GpuScene>(*state.former->flat);

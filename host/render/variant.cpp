@@ -37,7 +37,8 @@ bool readsStorage(const RenderSettings& settings, vulkan::BufferUse sceneUse, co
          (tuning.sceneInStorage && isTraversed(scene));
 }
 
-// Samples of a pixel, very roughly where they follow a target error.
+// Samples of a pixel. Where they follow a target error, roughly the median of bench-error's scenes, which
+// differ by a factor of ten.
 double samplesOf(const RenderSettings& settings) {
   if (settings.targetError)
     return std::clamp(0.03 / *settings.targetError, 2.0, static_cast<double>(settings.maxSamples));
@@ -113,12 +114,18 @@ Expectation finishesItems(const PipelineVariant& variant, const SceneFeatures& s
   return usual <= gpu::kMaxShadowRaysPerDispatch ? Expectation::kLikely : Expectation::kNo;
 }
 
-// Rays search a hierarchy together, and only a single ray's tests are counted, only a single path is resumed.
-std::uint32_t mostRaysPerLane(const PipelineVariant& variant, const SceneFeatures& scene,
-                              const RenderSettings& settings, const Tuning& tuning) {
-  const bool isPossible = isTraversed(scene) && variant.finishesItems != Expectation::kNo &&
-                          settings.shader.empty() && settings.view != View::kCost;
-  return isPossible ? settings.raysPerLane.value_or(tuning.raysPerLane) : 1;
+// The more rays, the faster, but the longer a driver takes for the module. Rays search a hierarchy together,
+// and only a single ray's tests are counted, only a single path is resumed.
+std::uint32_t raysPerLane(const PipelineVariant& variant, const SceneFeatures& scene,
+                          const RenderSettings& settings, const Tuning& tuning) {
+  if (!isTraversed(scene) || variant.finishesItems == Expectation::kNo || !settings.shader.empty() ||
+      settings.view == View::kCost)
+    return 1;
+  if (settings.raysPerLane) return *settings.raysPerLane;
+  const double rays = estimatedRays(variant.lights, settings);
+  const double doublings = std::log2(static_cast<double>(scene.primitiveCount));
+  if (rays * doublings * kSavedByTwo < kSecondsForTwo) return 1;
+  return std::min(tuning.raysPerLane, rays * kSavedByFour < kSecondsForFour ? 2U : 4U);
 }
 
 // For more than one ray.
@@ -132,19 +139,6 @@ std::span<const std::uint32_t> moduleOf(std::uint32_t raysPerLane, bool inStorag
 }
 
 }  // namespace
-
-std::uint32_t worthRaysPerLane(const PipelineVariant& variant, double rays) {
-  std::uint32_t worth = 1;
-  const double doublings = std::log2(static_cast<double>(variant.primitives));
-  if (rays * doublings * kSavedByTwo >= kSecondsForTwo) worth = rays * kSavedByFour < kSecondsForFour ? 2 : 4;
-  return std::min(worth, variant.mostRaysPerLane);
-}
-
-void setRaysPerLane(std::uint32_t rays, PipelineVariant& variant) {
-  const bool inStorage = variant.sceneUse == vulkan::BufferUse::kStorage;
-  variant.raysPerLane = rays;
-  variant.shader = rays == 1 ? variant.resumable : moduleOf(rays, inStorage);
-}
 
 std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives) {
   if (!settings.shader.empty()) return settings.shader;
@@ -180,11 +174,9 @@ PipelineVariant chooseVariant(const vulkan::Device& device, const SceneFeatures&
   variant.skipsEmptyTiles = skipsEmptyTiles(scene, settings);
   if (settings.specialized) variant.finishesItems = finishesItems(variant, scene);
   variant.specialization[gpu::kSpecResumable] = variant.finishesItems == Expectation::kNo ? 1 : 0;
+  variant.raysPerLane = raysPerLane(variant, scene, settings, tuning);
   variant.resumable = inStorage ? renderFromStorageSpirv : shaderOf(settings, scene.hasFewPrimitives);
-  variant.primitives = scene.primitiveCount;
-  variant.mostRaysPerLane = mostRaysPerLane(variant, scene, settings, tuning);
-  const double rays = estimatedRays(variant.lights, settings);
-  setRaysPerLane(settings.raysPerLane ? variant.mostRaysPerLane : worthRaysPerLane(variant, rays), variant);
+  variant.shader = variant.raysPerLane == 1 ? variant.resumable : moduleOf(variant.raysPerLane, inStorage);
   return variant;
 }
 

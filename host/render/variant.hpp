@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,9 +20,7 @@ struct PipelineVariant {
   std::vector<std::uint32_t> specialization;  // by gpu::kSpec...
   std::uint32_t lights = 0;                   // to which it traces shadow rays
   std::uint32_t maxDepth = 0;                 // mirror bounces
-  std::size_t primitives = 0;                 // of the hierarchy
   std::uint32_t raysPerLane = 1;              // that an invocation traces together
-  std::uint32_t mostRaysPerLane = 1;
   // Tiles of the picture that can show nothing are not traced.
   bool skipsEmptyTiles = false;
   // Whether a dispatch finishes its items. A pipeline that can leave them half done and resume them takes
@@ -38,11 +35,6 @@ PipelineVariant chooseVariant(const vulkan::Device& device, const GpuScene& scen
 PipelineVariant chooseVariant(const vulkan::Device& device, const SceneFeatures& scene,
                               std::uint32_t bvhDepth, vulkan::BufferUse sceneUse,
                               const RenderSettings& settings);
-
-// How many rays an invocation is to trace together in a render of so many: the more, the faster, but the
-// longer a driver takes for the pipeline. At most variant.mostRaysPerLane.
-std::uint32_t worthRaysPerLane(const PipelineVariant& variant, double rays);
-void setRaysPerLane(std::uint32_t rays, PipelineVariant& variant);
 
 // The SPIR-V that a render with these settings runs if the scene's arrays are small enough for texels.
 std::span<const std::uint32_t> shaderOf(const RenderSettings& settings, bool hasFewPrimitives);
