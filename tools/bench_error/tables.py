@@ -102,13 +102,8 @@ class Report:
 
     def ratios(self, target):
         """The time of adaptive over that of each fixed sampler at the same true RMSE, one per compared scene."""
-        result = {method: [] for method in FIXED}
-        for scene, p in self.adaptive_points(target):
-            for method in FIXED:
-                fixed = self.fixed_time(scene, method, p.rmse)
-                if fixed:
-                    result[method].append(p.time(self.clock) / fixed.value)
-        return result
+        found = [record["of"] for record in self.equal_errors() if record["target"] == target]
+        return {method: [of[method] for of in found if of[method]] for method in FIXED}
 
     def equal_error_table(self):
         rows = []

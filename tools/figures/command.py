@@ -10,19 +10,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import geometric_mean, median
 
-from figures import batch as batches
 from figures import parts
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
-BATCH_ROUNDS = 3
 
 DESCRIPTION = """\
 Runs benchmarks, and writes their tables, with command, machine and date, into the documents. Into docs/speed.md: rays
 (bench-speed against Embree, and its plot; README.md has some of it, too), sizes (a plot), processes (against POV-Ray),
-obj (bench-obj against tinyobjloader). Into docs/command-line.md: batch (many scenes in one process). Into docs/sampling.md: errors (bench-error, fixed sampling and POV-Ray against a
-target error, and its plot), estimate (bench-estimate). An idle machine gives figures that can be
-compared.
+obj (bench-obj against tinyobjloader). Into docs/command-line.md: batch (bench-batch, many scenes in one process). Into
+docs/sampling.md: errors (bench-error, fixed sampling and POV-Ray against a target error, and its plot), estimate
+(bench-estimate). An idle machine gives figures that can be compared.
 """
 
 
@@ -93,14 +91,10 @@ def obj(folder, command):
 
 
 def batch(folder, command):
-    program = BUILD / "host/lavaray"
-    here = sorted((ROOT / "scenes").glob("*.txt"))
-    rows = []
-    for what, scenes in (("`scenes/torus.txt`, 40 times", [ROOT / "scenes/torus.txt"] * 40),
-                         (f"the {len(here)} scenes of `scenes/`, each twice", here * 2)):
-        rows.append([what, *(f"{share:.2f}" for share in batches.shares(program, scenes, BATCH_ROUNDS))])
+    results = json.loads((folder / "bench-batch.json").read_text())
+    rows = [[name, *(f"{share:.2f}" for share in shares)] for name, shares in results.items()]
     header = ["", "CPU time", "wall clock", "with a shader cache that is empty at first: CPU time", "wall clock"]
-    return "\n\n".join([parts.markdown_table(header, rows), parts.origin(command, f"least of {BATCH_ROUNDS}")])
+    return "\n\n".join([parts.markdown_table(header, rows), parts.origin(command)])
 
 
 def errors(folder, command):
@@ -135,7 +129,7 @@ class Figures:
 
     write: object  # (folder of results, the command as words) -> lines of Markdown
     page: str
-    command: list  # empty where write() measures
+    command: list
 
 
 FIGURES = {
@@ -143,7 +137,7 @@ FIGURES = {
     "sizes": Figures(sizes, "speed", ["tools/bench-speed", "--only", "sizes", "--rounds", "3"]),
     "processes": Figures(processes, "speed", ["tools/bench-speed", "--only", "processes", "--rounds", "5"]),
     "obj": Figures(obj, "speed", ["tools/bench-obj", "--rounds", "3"]),
-    "batch": Figures(batch, "command-line", []),
+    "batch": Figures(batch, "command-line", ["tools/bench-batch", "--rounds", "3"]),
     "errors": Figures(errors, "sampling", ["tools/bench-error", "--size", "640x480", "--spp", "4,16,64", "--targets",
                                            "0.005,0.002,0.001", "--repeats", "1", "--seeds", "3", "--reference-spp", "1024"]),
     "estimate": Figures(estimate, "sampling", ["tools/bench-estimate", "--seeds", "5"]),
@@ -161,12 +155,11 @@ def main(arguments=None):
     try:
         for what in options.what or FIGURES:
             figures = FIGURES[what]
-            command = figures.command or ["tools/write-figures", what]
-            folder = BUILD / Path(command[0]).name
-            if figures.command and not options.kept:
-                subprocess.run(command, cwd=ROOT, stdout=sys.stderr, check=True)
+            folder = BUILD / Path(figures.command[0]).name
+            if not options.kept:
+                subprocess.run(figures.command, cwd=ROOT, stdout=sys.stderr, check=True)
             page = ROOT / "docs" / f"{figures.page}.md"
-            parts.replace(page, what, figures.write(folder, shlex.join(command)))
+            parts.replace(page, what, figures.write(folder, shlex.join(figures.command)))
             print(f"{page}: {what}")
     except (parts.PageError, subprocess.CalledProcessError, OSError, KeyError) as error:
         print(f"write-figures: {error}", file=sys.stderr)

@@ -1,10 +1,16 @@
-"""Many scenes in one process, against a process for each."""
+"""Measures one run of many scenes against a run for each: its share of their time, with a shader cache of the driver
+that knows the scenes, and with one that is empty at first."""
 
+import argparse
+import json
 import os
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def seconds(commands, environment):
@@ -48,3 +54,26 @@ def shares(program, scenes, rounds):
                 for i in range(2):
                     best[place + i] = min(best[place + i], found[1][i] / found[0][i])
         return best
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(prog="bench-batch", description=__doc__, allow_abbrev=False)
+    parser.add_argument("--program", type=Path, default=ROOT / "build/host/lavaray", metavar="FILE",
+                        help="the lavaray to measure (default: build/host/lavaray of this checkout)")
+    parser.add_argument("--rounds", type=int, default=3, metavar="N", help="the least counts (default: 3)")
+    parser.add_argument("--out", type=Path, default=ROOT / "build/bench-batch", metavar="FOLDER",
+                        help="for bench-batch.json (default: build/bench-batch of this checkout)")
+    options = parser.parse_args(arguments)
+    here = sorted((ROOT / "scenes").glob("*.txt"))
+    batches = {"`scenes/torus.txt`, 40 times": [ROOT / "scenes/torus.txt"] * 40,
+               f"the {len(here)} scenes of `scenes/`, each twice": here * 2}
+    try:
+        found = {name: shares(options.program.resolve(), scenes, options.rounds) for name, scenes in batches.items()}
+        options.out.mkdir(parents=True, exist_ok=True)
+        (options.out / "bench-batch.json").write_text(json.dumps(found, indent=1) + "\n")
+    except (OSError, subprocess.CalledProcessError) as error:
+        print(f"bench-batch: {error}", file=sys.stderr)
+        return 1
+    for name, best in found.items():
+        print(f"{name}: CPU time {best[0]:.2f}, wall clock {best[1]:.2f}; with an empty cache {best[2]:.2f}, {best[3]:.2f}")
+    return 0

@@ -1,0 +1,1 @@
+"""Many scenes in one process, against a process for each."""
